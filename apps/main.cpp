@@ -19,8 +19,7 @@ namespace {
 int dispatch(app::Words words) {
     app::parse_verbosity(words);
     const std::string first = words.empty() ? "" : words[0];
-    if (first == "help" && words.size() > 1)
-        return run_part(app::commands(), {words[1], "--help"});
+    if (first == "help" && words.size() > 1) return run_part(app::commands(), {words[1], "--help"});
     if (first == "--help" || first == "-h" || first == "help") {
         std::string text = app::builtin_files().at("rugosa.txt");
         boost::replace_all(text, "{version}", RUGOSA_VERSION);
@@ -57,8 +56,7 @@ int report_exception() {
     } catch (const std::length_error&) {
         complain("out of memory: no machine holds this much; use fewer nodes or a smaller population");
     } catch (const std::filesystem::filesystem_error& error) {
-        complain(error.path1().string() + ": " + error.code().message() +
-                 "; name a file or folder that can be used");
+        complain(error.path1().string() + ": " + error.code().message() + "; name a file or folder that can be used");
     } catch (const std::system_error& error) { // no thread could be started
         complain(std::string("the system refused: ") + error.what());
     } catch (const nlohmann::json::exception&) {
@@ -78,8 +76,7 @@ int report_exception() {
 /// Flushes standard output. Output that could not be written, as on a full disk, is an error.
 int flushed(int code) {
     std::cout.flush();
-    if (std::fflush(stdout) == 0 && !std::ferror(stdout) && std::cout)
-        return code;
+    if (std::fflush(stdout) == 0 && !std::ferror(stdout) && std::cout) return code;
     complain(std::string("standard output: cannot be written") +
              (errno ? std::string(" (") + std::strerror(errno) + ")" : "") + "; make room on the disk");
     return code == 0 ? 2 : code;
@@ -89,10 +86,8 @@ int run(app::Words words) {
     try {
         app::cluster::Kinds kinds{{"designs", app::designs_under}, {"responses", app::responses_under}};
         for (const app::Experiment& experiment : app::experiments())
-            if (experiment.work)
-                kinds.emplace(experiment.kind, experiment.work);
-        if (app::cluster::join(std::move(kinds)))
-            return 0;
+            if (experiment.work) kinds.emplace(experiment.kind, experiment.work);
+        if (app::cluster::join(std::move(kinds))) return 0;
         return flushed(dispatch(std::move(words)));
     } catch (...) {
         return report_exception();
@@ -103,13 +98,11 @@ int run(app::Words words) {
 /// chosen one. libgomp reads it before main. Its usual wait occupies a core, so that two curves on two
 /// threads each take several times as long as on one.
 void shorten_waits(char** values) {
-    if (std::getenv("GOMP_SPINCOUNT") || std::getenv("OMP_WAIT_POLICY"))
-        return;
+    if (std::getenv("GOMP_SPINCOUNT") || std::getenv("OMP_WAIT_POLICY")) return;
     std::error_code unknown;
     const auto self = std::filesystem::read_symlink("/proc/self/exe", unknown);
     ::setenv("GOMP_SPINCOUNT", "1000", 1);
-    if (!unknown)
-        ::execv(self.c_str(), values); // returns if it fails; then the waits stay long
+    if (!unknown) ::execv(self.c_str(), values); // returns if it fails; then the waits stay long
 }
 
 } // namespace

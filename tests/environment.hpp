@@ -10,8 +10,7 @@ namespace tests {
 class Environment {
   public:
     Environment(const char* name, const std::string& value) : name_(name) {
-        if (const char* before = std::getenv(name))
-            before_ = before;
+        if (const char* before = std::getenv(name)) before_ = before;
         setenv(name, value.c_str(), 1);
     }
     ~Environment() {

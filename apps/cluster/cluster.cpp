@@ -46,9 +46,7 @@ struct Message {
 void initialise() {
     constexpr const char* child_of_rank = "RUGOSA_RANK";
     const auto is_set = [](const char* name) { return std::getenv(name) != nullptr; };
-    if (is_set(child_of_rank) ||
-        !(is_set("OMPI_COMM_WORLD_SIZE") || is_set("PMIX_RANK") || is_set("PMI_RANK")))
-        return;
+    if (is_set(child_of_rank) || !(is_set("OMPI_COMM_WORLD_SIZE") || is_set("PMIX_RANK") || is_set("PMI_RANK"))) return;
     int level = 0; // one thread at a time calls MPI
     MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &level);
     MPI_Comm_size(MPI_COMM_WORLD, &rank_count);
@@ -59,8 +57,7 @@ void initialise() {
 /// Leaves MPI; a worker's exit code other than 0 ends all ranks.
 void finalise(int code) {
     if (int begun = 0; MPI_Initialized(&begun) == MPI_SUCCESS && begun) {
-        if (this_rank > 0 && code != 0)
-            MPI_Abort(MPI_COMM_WORLD, code);
+        if (this_rank > 0 && code != 0) MPI_Abort(MPI_COMM_WORLD, code);
         MPI_Finalize();
     }
 }
@@ -70,8 +67,7 @@ void send(int to, Tag tag, const json& content) {
     std::string bytes;
     json::to_cbor(content, bytes);
     if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
-        rough::refuse("MPI: a message of ", bytes.size(),
-                      " bytes is over 2 GiB; use fewer nodes or fewer threads");
+        rough::refuse("MPI: a message of ", bytes.size(), " bytes is over 2 GiB; use fewer nodes or fewer threads");
     MPI_Send(bytes.data(), static_cast<int>(bytes.size()), MPI_BYTE, to, tag, MPI_COMM_WORLD);
 }
 
@@ -84,8 +80,7 @@ Message receive(const std::future<json>* here = nullptr) {
     int arrived = 0, size = 0;
     for (microseconds pause(20);; pause = std::min(pause * 5 / 4, microseconds(1000))) {
         MPI_Improbe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &arrived, &handle, &status);
-        if (arrived)
-            break;
+        if (arrived) break;
         if (!here)
             std::this_thread::sleep_for(pause);
         else if (here->wait_for(pause) == std::future_status::ready)
@@ -117,8 +112,7 @@ struct Session {
     /// Prepares a job. Returns false if it was prepared before.
     bool prepare(const std::string& kind, const json& setting) {
         auto& [known, work] = prepared[kind];
-        if (work && known == setting)
-            return false;
+        if (work && known == setting) return false;
         work = kinds.at(kind)(setting);
         known = setting;
         return true;
@@ -126,8 +120,7 @@ struct Session {
     json answers_to(const json& tasks, const std::string& kind, int threads) {
         const Work& work = prepared.at(kind).second;
         std::vector<json> answers(tasks.size());
-        ga::parallel_for(tasks.size(), ga::thread_count(threads),
-                         [&](std::size_t i) { answers[i] = work(tasks[i]); });
+        ga::parallel_for(tasks.size(), ga::thread_count(threads), [&](std::size_t i) { answers[i] = work(tasks[i]); });
         return answers;
     }
 } session;
@@ -152,8 +145,8 @@ bool join(Kinds kinds) {
     char host[256] = "";
     ::gethostname(host, sizeof host - 1);
     const rough::Build build = rough::build(); // and vectors: equal on all ranks for equal bits
-    const json here{host, rough::line_of("rugosa ", RUGOSA_VERSION, ", ", build.compiler, " ", build.flags,
-                                         ", ", build.vectors)};
+    const json here{
+        host, rough::line_of("rugosa ", RUGOSA_VERSION, ", ", build.compiler, " ", build.flags, ", ", build.vectors)};
     if (this_rank > 0) {
         send(0, hello, here);
         serve();
@@ -162,12 +155,10 @@ bool join(Kinds kinds) {
     std::string differing;
     for (int others = 1; others < rank_count; ++others)
         if (const Message other = receive(); other.content.at(1) != here[1])
-            differing =
-                rough::line_of("rank ", other.rank, ": ", other.content.dump(), " differs from ", here.dump(),
-                               " of rank 0; run one program on all, with RUGOSA_VECTORS=avx2 on all if "
-                               "their processors differ");
-    if (!differing.empty())
-        throw rough::InputError(differing);
+            differing = rough::line_of("rank ", other.rank, ": ", other.content.dump(), " differs from ", here.dump(),
+                                       " of rank 0; run one program on all, with RUGOSA_VECTORS=avx2 on all if "
+                                       "their processors differ");
+    if (!differing.empty()) throw rough::InputError(differing);
     return false;
 }
 
@@ -175,22 +166,19 @@ void leave(int code) {
     if (this_rank == 0 && !is_alone())
         for (int rank = 0; rank < rank_count; ++rank) {
             tell(rough::line_of("rank ", rank, ": ", session.answered[rank], " tasks"));
-            if (rank > 0)
-                send(rank, done, {});
+            if (rank > 0) send(rank, done, {});
         }
     finalise(code);
 }
 
 bool is_alone() { return rank_count == 1; }
 void expect_message(bool good) {
-    if (!good)
-        throw other_form;
+    if (!good) throw other_form;
 }
 
 void hand_out(const Job& of) {
     if (session.prepare(of.kind, of.setting))
-        for (int rank = 1; rank < rank_count; ++rank)
-            send(rank, job, {of.kind, of.setting});
+        for (int rank = 1; rank < rank_count; ++rank) send(rank, job, {of.kind, of.setting});
     /// Tasks that a rank answers together.
     struct Chunk {
         std::size_t first = 0, size = 0;
@@ -204,8 +192,7 @@ void hand_out(const Job& of) {
     std::future<json> here;     // the answers of rank 0
     std::exception_ptr error;   // ends the job after all given chunks are answered
     const auto guarded = [&](auto act) {
-        if (!error)
-            try {
+        if (!error) try {
                 act();
             } catch (const json::exception&) {
                 error = std::make_exception_ptr(other_form);
@@ -218,8 +205,7 @@ void hand_out(const Job& of) {
         const auto left = static_cast<double>(end - next);
         const double min = std::min(threads, std::ceil(left / ranks)),
                      max = std::max(min, std::ceil(left / (2 * ranks)));
-        const auto size =
-            static_cast<std::size_t>(std::clamp(chunk_seconds * threads / seconds_each, min, max));
+        const auto size = static_cast<std::size_t>(std::clamp(chunk_seconds * threads / seconds_each, min, max));
         json given_tasks = json::array();
         while (given_tasks.size() < size && next < end && !of.stopped())
             if (auto task = of.task(next)) {
@@ -228,22 +214,18 @@ void hand_out(const Job& of) {
             } else {
                 end = next;
             }
-        if (given_tasks.empty())
-            return;
+        if (given_tasks.empty()) return;
         if (rank > 0)
             send(rank, tasks, {of.kind, of.threads, given_tasks});
         else
-            here = std::async(std::launch::async, [&of, given_tasks] {
-                return session.answers_to(given_tasks, of.kind, of.threads);
-            });
+            here = std::async(std::launch::async,
+                              [&of, given_tasks] { return session.answers_to(given_tasks, of.kind, of.threads); });
         given[rank] = {chunk.first, given_tasks.size(), chunk.clock};
     };
-    for (int rank = 0; rank < rank_count; ++rank)
-        guarded([&] { give(rank); });
+    for (int rank = 0; rank < rank_count; ++rank) guarded([&] { give(rank); });
     while (!given.empty()) {
         const Message message = receive(given.contains(0) ? &here : nullptr);
-        if (message.tag == stopped)
-            ask_to_stop();
+        if (message.tag == stopped) ask_to_stop();
         expect_message(given.contains(message.rank));
         const Chunk chunk = given.extract(message.rank).mapped();
         guarded([&] {
@@ -252,13 +234,11 @@ void hand_out(const Job& of) {
             const auto count = static_cast<double>(chunk.size);
             seconds_each = chunk.clock.seconds() * std::min(threads, count) / count;
             session.answered[message.rank] += chunk.size;
-            for (std::size_t i = 0; i < chunk.size; ++i)
-                of.take(chunk.first + i, answers[i]);
+            for (std::size_t i = 0; i < chunk.size; ++i) of.take(chunk.first + i, answers[i]);
             give(message.rank);
         });
     }
-    if (error)
-        std::rethrow_exception(error);
+    if (error) std::rethrow_exception(error);
 }
 
 } // namespace app::cluster

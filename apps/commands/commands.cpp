@@ -48,13 +48,11 @@ void print_help(const Command& command, const std::string& name) {
               << folded(boost::join(std::vector(text + 1, examples), " "));
     if (!command.parts.empty())
         std::cout << "\n"
-                  << listed(command.parts, 8, name + " ") << "\n'rugosa " << name << " "
-                  << command.parts.front().name << " --help' and so on list the flags.\n";
-    if (!command.settings.empty())
-        std::cout << "\n" << described(command.settings);
+                  << listed(command.parts, 8, name + " ") << "\n'rugosa " << name << " " << command.parts.front().name
+                  << " --help' and so on list the flags.\n";
+    if (!command.settings.empty()) std::cout << "\n" << described(command.settings);
     std::cout << "\nExamples:\n";
-    for (auto example = examples + 1; example != lines.end(); ++example)
-        std::cout << "  rugosa " << *example << "\n";
+    for (auto example = examples + 1; example != lines.end(); ++example) std::cout << "  rugosa " << *example << "\n";
 }
 
 int run_with(const Command& command, const Words& words, const std::string& before) {
@@ -65,11 +63,9 @@ int run_with(const Command& command, const Words& words, const std::string& befo
         print_help(command, name);
         return 0;
     }
-    if (!command.parts.empty())
-        return run_part(command.parts, words, name + " ");
+    if (!command.parts.empty()) return run_part(command.parts, words, name + " ");
     std::string line = "rugosa " + name;
-    for (const std::string& word : words)
-        line += " " + word;
+    for (const std::string& word : words) line += " " + word;
     return command.run(read_command_line(words, command.settings, command.positional), line);
 }
 
@@ -88,8 +84,7 @@ int run_part(const std::vector<Command>& commands, const Words& words, const std
         if (names.push_back(command.name); !words.empty() && words[0] == command.name)
             return run_with(command, {words.begin() + 1, words.end()}, before);
     if (words.empty())
-        rough::refuse("no subcommand given", ga::suggestion("", names), " ('rugosa ", before,
-                      "--help' lists more)");
+        rough::refuse("no subcommand given", ga::suggestion("", names), " ('rugosa ", before, "--help' lists more)");
     names.emplace_back("--help");
     rough::refuse("'", words[0], "' is not a subcommand", ga::suggestion(words[0], names));
 }

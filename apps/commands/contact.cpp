@@ -25,24 +25,22 @@ std::map<std::string, std::string> contact_tables(const rough::Profile& surface,
                                                   const rough::Response& response) {
     const Eigen::VectorXd& all = response.displacement;
     std::vector<double> shown(all.begin(), all.end());
-    if (const Index steps = all.size(); steps > 4)
-        shown = {all[steps / 10], all[(steps - 1) / 2], all[steps - 1]};
+    if (const Index steps = all.size(); steps > 4) shown = {all[steps / 10], all[(steps - 1) / 2], all[steps - 1]};
     rough::ContactOptions options = model.contact;
     options.states = true;
     options.tolerance = std::min(options.tolerance, rough::ContactOptions{}.tolerance);
     const rough::ContactCurve curve = solve_contact(surface, model.body, shown, options);
     const bool is_2d = surface.is_2d();
     Csv loads("load,mean_pressure_MPa,pressure_over_modulus,contact_fraction,spots," +
-              std::string(is_2d ? "max_spot_mm2" : "max_spot_width_mm") +
-              ",highest_pressure_MPa,mean_gap_mm");
+              std::string(is_2d ? "max_spot_mm2" : "max_spot_width_mm") + ",highest_pressure_MPa,mean_gap_mm");
     std::string along = "load,x_mm,pressure_MPa,gap_mm\n";
     std::vector<std::string> names{"height_mm"};
     std::vector<Eigen::VectorXd> maps{below_highest(surface)};
     for (std::size_t i = 0; i < curve.steps.size(); ++i) {
         const rough::LoadStep& step = curve.steps[i];
         const rough::Interface at = interface_at(surface, model.body, step, curve.states[i]);
-        loads.row(i + 1, step.pressure, step.pressure / model.body.effective_modulus, step.contact_fraction,
-                  at.spots, at.widest, curve.states[i].pressure.maxCoeff(), at.gap.mean());
+        loads.row(i + 1, step.pressure, step.pressure / model.body.effective_modulus, step.contact_fraction, at.spots,
+                  at.widest, curve.states[i].pressure.maxCoeff(), at.gap.mean());
         if (is_2d) {
             names.push_back("pressure_" + std::to_string(i + 1) + "_MPa");
             maps.emplace_back(Eigen::VectorXd::Constant(surface.nodes(), NAN));
@@ -51,8 +49,7 @@ std::map<std::string, std::string> contact_tables(const rough::Profile& surface,
             along += drawn_rows(std::to_string(i + 1), {positions(surface), at.pressure, at.gap.cwiseMax(0)});
         }
     }
-    if (is_2d)
-        return {{"loads", loads.text()}, {"map", map_csv(surface, names, maps)}};
+    if (is_2d) return {{"loads", loads.text()}, {"map", map_csv(surface, names, maps)}};
     return {{"loads", loads.text()},
             {"along", along},
             {"heights-drawn", heights_csv(surface)},
@@ -62,23 +59,17 @@ std::map<std::string, std::string> contact_tables(const rough::Profile& surface,
 std::vector<Setting> contact_settings() {
     const std::vector<Setting> settings{
         {"out", "", "curve file to write (CSV)"},
-        {"report", "",
-         "page to write (HTML): the curve, with pressure and gap along the profile or on the map [none]"},
+        {"report", "", "page to write (HTML): the curve, with pressure and gap along the profile or on the map [none]"},
         force_setting(),
         threads_setting(),
         whole("seed", "1", 0, 0x1p53, ""), // accepted as in design and run; nothing is random
-        accuracy_setting(
-            "the resolved model. That has --nodes, or else 64 nodes for the shortest wave. A scan is "
-            "solved on its nodes; so is a map, unless one line is enough"),
+        accuracy_setting("the resolved model. That has --nodes, or else 64 nodes for the shortest wave. A scan is "
+                         "solved on its nodes; so is a map, unless one line is enough"),
         positive("friction", "",
                  "friction coefficient; writes partial slip under the last load to CURVE-slip.csv [none]"),
     };
-    return joined({surface_settings(),
-                   settings,
-                   loading_settings(),
-                   scan_settings(),
-                   {resolution_setting()},
-                   model_settings()});
+    return joined(
+        {surface_settings(), settings, loading_settings(), scan_settings(), {resolution_setting()}, model_settings()});
 }
 
 /// The model under the given loads and within the accuracy, from which the solver's tolerance follows unless
@@ -88,8 +79,7 @@ rough::Model with_load(const rough::Model& unloaded, const Settings& settings) {
     settings.take("accuracy", model.accuracy);
     model.contact.threads = ga::thread_count(settings.whole<int>("threads"));
     model.contact.spots = !settings.has("genome");
-    if (model.accuracy > 0 && !settings.given("tolerance"))
-        model.contact.tolerance = 0.01;
+    if (model.accuracy > 0 && !settings.given("tolerance")) model.contact.tolerance = 0.01;
     return model;
 }
 
@@ -116,8 +106,7 @@ void add_doubts(ContactResult& found, const Settings& settings) {
         found.band = resolution_band(found.surface, found.model, response, resolution_from(settings));
         found.unresolved = resolution_warning(response);
     }
-    if (!found.missing.empty())
-        found.notes.push_back(fill_note(found.surface, found.missing, found.model));
+    if (!found.missing.empty()) found.notes.push_back(fill_note(found.surface, found.missing, found.model));
     const auto touches = [&, &touching = contact](rough::Index node) {
         return std::ranges::find(touching, node) != touching.end();
     };
@@ -126,23 +115,21 @@ void add_doubts(ContactResult& found, const Settings& settings) {
         if (cost.matters())
             found.warnings.push_back("outliers carry the contact: without them the contact is " +
                                      readable(cost.contact_fraction) + " times and the stiffness " +
-                                     readable(cost.stiffness) + " times as large at " +
-                                     readable(cost.pressure) + " MPa; set --outliers remove");
+                                     readable(cost.stiffness) + " times as large at " + readable(cost.pressure) +
+                                     " MPa; set --outliers remove");
     }
-    if (!found.unresolved.empty())
-        found.warnings.push_back(found.unresolved);
+    if (!found.unresolved.empty()) found.warnings.push_back(found.unresolved);
     const double limit = elastic_limit(settings, found.model.body);
-    if (std::isinf(limit))
-        return;
+    if (std::isinf(limit)) return;
     const rough::ElasticEnd end = elastic_end(contact_surface(found), found.model, response, limit);
     if (end.is_reached(response))
-        found.warnings.push_back(
-            "elastic theory is not valid from a mean pressure of " + readable(response.pressure[end.step]) +
-            " MPa on: node pressures exceed " + readable(limit) + " MPa (" +
-            (settings.has("material") ? "the hardness of " + settings.text("material")
-                                      : std::string("a tenth of E*, which no solid withstands")) +
-            "), and reach " + readable(end.largest_pressure) +
-            " MPa at the last load; use --hardness to limit pressures");
+        found.warnings.push_back("elastic theory is not valid from a mean pressure of " +
+                                 readable(response.pressure[end.step]) + " MPa on: node pressures exceed " +
+                                 readable(limit) + " MPa (" +
+                                 (settings.has("material") ? "the hardness of " + settings.text("material")
+                                                           : std::string("a tenth of E*, which no solid withstands")) +
+                                 "), and reach " + readable(end.largest_pressure) +
+                                 " MPa at the last load; use --hardness to limit pressures");
 }
 
 /// The contact of a scan or map at the last load, with `words` on it, and whether its spots are resolved.
@@ -158,8 +145,8 @@ nlohmann::json resolution_json(const ContactResult& found) {
                           {"stiffness_low_MPa_per_mm", low[last]},
                           {"stiffness_high_MPa_per_mm", high[last]}};
         words = "at the last load the contact fraction is " + readable(100 * low_area[last]) + " to " +
-                percent(high_area[last]) + " and K is " + readable(low[last]) + " to " +
-                readable(high[last]) + " MPa/mm (limits of the band over measured and interpolated heights)";
+                percent(high_area[last]) + " and K is " + readable(low[last]) + " to " + readable(high[last]) +
+                " MPa/mm (limits of the band over measured and interpolated heights)";
     }
     values["words"] = words + "; half of the contact nodes are in spots at most " + std::to_string(nodes) +
                       (nodes == 1 ? " node" : " nodes") + " wide; spots of this width are " +
@@ -181,8 +168,7 @@ ContactResult map_result(const Settings& settings) {
     ContactResult found{map_from(settings, "surface")};
     found.model = with_load(found.model, settings);
     found.result = respond_within(found.surface, found.model);
-    if (!settings.has("genome") && found.model.grid.periodic)
-        found.notes.push_back(jump_note(found.surface));
+    if (!settings.has("genome") && found.model.grid.periodic) found.notes.push_back(jump_note(found.surface));
     return found;
 }
 
@@ -210,8 +196,7 @@ ContactResult line_result(const Settings& settings) {
     found.notes = {genome ? wave_note(*genome, model.grid) : source.account};
     const double range = found.surface.heights.maxCoeff() - found.surface.heights.minCoeff();
     if (model.grid.periodic)
-        found.notes.push_back(genome ? jump_note(*genome, model.grid.length, range)
-                                     : jump_note(found.surface));
+        found.notes.push_back(genome ? jump_note(*genome, model.grid.length, range) : jump_note(found.surface));
     return found;
 }
 
@@ -223,13 +208,12 @@ std::string from_page(const std::filesystem::path& file, const std::filesystem::
 
 /// The files of a contact curve. All are checked before anything is computed.
 struct CurveFiles {
-    std::filesystem::path curve, account, page; ///< CURVE.csv; CURVE.json and the page, if they are written
+    std::filesystem::path curve, account, page;          ///< CURVE.csv; CURVE.json and the page, if they are written
     std::map<std::string, std::filesystem::path> tables; ///< CURVE-NAME.csv by NAME
 };
 
 CurveFiles files_from(const Settings& settings, bool is_2d) {
-    if (!settings.has("out"))
-        rough::refuse("--out: missing; name the curve file to write");
+    if (!settings.has("out")) rough::refuse("--out: missing; name the curve file to write");
     const std::filesystem::path given = settings.text("out");
     CurveFiles files;
     files.curve = expect_writable(given, settings);
@@ -244,10 +228,8 @@ CurveFiles files_from(const Settings& settings, bool is_2d) {
     given.extension() == ".json" ? account += ".json" : account.replace_extension(".json");
     files.account = expect_writable(account, settings);
     std::vector<std::string> names;
-    if (settings.has("friction"))
-        names.emplace_back("slip");
-    if (is_2d)
-        names.emplace_back("spots");
+    if (settings.has("friction")) names.emplace_back("slip");
+    if (is_2d) names.emplace_back("spots");
     if (settings.has("report")) {
         files.page = expect_writable(settings.text("report"), settings);
         const auto drawn = rough::listed(is_2d ? "loads,map" : "loads,along,heights-drawn,bearing");
@@ -255,8 +237,7 @@ CurveFiles files_from(const Settings& settings, bool is_2d) {
     }
     for (const std::string& name : names)
         files.tables[name] = expect_writable(
-            std::filesystem::path(account).replace_filename(account.stem().string() + "-" + name + ".csv"),
-            settings);
+            std::filesystem::path(account).replace_filename(account.stem().string() + "-" + name + ".csv"), settings);
     return files;
 }
 
@@ -265,24 +246,20 @@ void write_files(const CurveFiles& files, const ContactResult& found, const std:
                  const Settings& settings) {
     const rough::Response& response = found.result.response;
     rough::write_atomically(files.curve, csv(response, found.is_measured ? &found.band : nullptr));
-    if (files.account.empty())
-        return;
+    if (files.account.empty()) return;
     std::map<std::string, std::string> tables;
-    if (!files.page.empty())
-        tables = contact_tables(found.surface, found.model, response);
+    if (!files.page.empty()) tables = contact_tables(found.surface, found.model, response);
     if (files.tables.contains("slip")) {
-        const rough::PartialSlip slip = partial_slip(found.surface, found.model.body, response,
-                                                     settings.number("friction"), found.model.contact);
+        const rough::PartialSlip slip =
+            partial_slip(found.surface, found.model.body, response, settings.number("friction"), found.model.contact);
         tables["slip"] = csv({"tangential_displacement_mm", "tangential_traction_MPa",
                               "tangential_stiffness_MPa_per_mm", "stick_fraction"},
                              {slip.displacement, slip.traction, slip.stiffness, slip.stick_fraction});
     }
     if (files.tables.contains("spots"))
-        tables["spots"] =
-            csv({"nodes", "area_mm2"},
-                {spots_of(found), spots_of(found) * found.surface.spacing * found.surface.row_spacing});
-    for (const auto& [name, table] : tables)
-        rough::write_atomically(files.tables.at(name), table);
+        tables["spots"] = csv({"nodes", "area_mm2"},
+                              {spots_of(found), spots_of(found) * found.surface.spacing * found.surface.row_spacing});
+    for (const auto& [name, table] : tables) rough::write_atomically(files.tables.at(name), table);
 
     nlohmann::json values = account_json(found.result.account);
     values["warnings"] = found.warnings;
@@ -290,8 +267,7 @@ void write_files(const CurveFiles& files, const ContactResult& found, const std:
     if (files.tables.contains("slip"))
         values["partial_slip"] = {{"friction", settings.number("friction")},
                                   {"assumed", slip_assumption(found.model.body, found.surface.is_2d())}};
-    if (files.page.empty())
-        return write_json(files.account, values);
+    if (files.page.empty()) return write_json(files.account, values);
     const rough::Profile& surface = found.surface;
     const rough::Body& body = found.model.body;
     const Index last = response.steps() - 1;
@@ -308,14 +284,11 @@ void write_files(const CurveFiles& files, const ContactResult& found, const std:
                    {"name", settings.text(the_given(settings, surface_names, "contact"))},
                    {"notes", notes},
                    {"curve", files.curve.filename().string().substr(files.account.stem().string().size())}});
-    if (surface.is_2d())
-        values["pressed_nodes"] = {surface.shape().columns, surface.shape().rows};
+    if (surface.is_2d()) values["pressed_nodes"] = {surface.shape().columns, surface.shape().rows};
     values["notes"].push_back(in_words(found.result.account));
-    for (const auto& file : {files.curve, files.account})
-        values["files"].push_back(from_page(file, files.page));
+    for (const auto& file : {files.curve, files.account}) values["files"].push_back(from_page(file, files.page));
     for (const char* name : {"slip", "spots"})
-        if (files.tables.contains(name))
-            values["files"].push_back(from_page(files.tables.at(name), files.page));
+        if (files.tables.contains(name)) values["files"].push_back(from_page(files.tables.at(name), files.page));
     write_json(files.account, values);
     rough::write_atomically(files.page, render(page_source(files.account)));
 }
@@ -323,8 +296,7 @@ void write_files(const CurveFiles& files, const ContactResult& found, const std:
 int contact(const Settings& settings, const std::string&) {
     the_given(settings, surface_names, "contact");
     if (settings.has("friction") && settings.has("hardness"))
-        rough::refuse(
-            "--friction: given with --hardness; give one of them, as partial slip rests on elastic contact");
+        rough::refuse("--friction: given with --hardness; give one of them, as partial slip rests on elastic contact");
     const bool is_2d = asks_for_map(settings);
     const CurveFiles files = files_from(settings, is_2d);
     ContactResult found = is_2d ? map_result(settings) : line_result(settings);
@@ -332,8 +304,7 @@ int contact(const Settings& settings, const std::string&) {
     found.is_measured = !settings.has("genome");
     add_doubts(found, settings);
     std::vector<std::string> notes = found.notes;
-    if (found.is_measured)
-        notes.insert(notes.begin(), resolution_json(found)["words"]);
+    if (found.is_measured) notes.insert(notes.begin(), resolution_json(found)["words"]);
     std::ranges::copy(notes_on(settings, found.model), std::back_inserter(notes));
     notes.push_back(states_modulus(settings) ? material_note(settings) : modulus_note);
     std::erase(notes, "");
@@ -346,22 +317,21 @@ int contact(const Settings& settings, const std::string&) {
         tell(files.tables.at("slip").string() +
              ": partial slip under the last load, f = " + readable(settings.number("friction")) +
              "; assumed: " + slip_assumption(found.model.body, found.surface.is_2d()));
-    for (const std::string& warning : found.warnings)
-        say("warning: " + warning);
+    for (const std::string& warning : found.warnings) say("warning: " + warning);
     std::ranges::for_each(notes, say);
     const rough::Response& response = found.result.response;
-    tell(settings.text("out") + ": " + std::to_string(response.steps()) + " load steps by " +
-         name_of(response.solver) + ", height range " + readable(response.range) +
-         " mm, largest KKT residual " + readable(response.kkt_residual.maxCoeff()));
+    tell(settings.text("out") + ": " + std::to_string(response.steps()) + " load steps by " + name_of(response.solver) +
+         ", height range " + readable(response.range) + " mm, largest KKT residual " +
+         readable(response.kkt_residual.maxCoeff()));
     // Held nodes change the meaning of the curve.
-    (found.result.account.held_nodes > 0 || (is_2d && found.model.accuracy > 0) ? say : tell)(
-        in_words(found.result.account));
+    (found.result.account.held_nodes > 0 || (is_2d && found.model.accuracy > 0) ? say
+                                                                                : tell)(in_words(found.result.account));
     if (!files.account.empty()) {
         const Index last = response.steps() - 1;
         const Unit unit = pressure_unit(response.pressure[last]);
-        say(settings.text("out") + ": at " + readable(unit.factor * response.pressure[last]) + " " +
-            unit.name + " the contact fraction is " + percent(response.contact_fraction[last]) +
-            " and the stiffness " + readable(response.tangent_stiffness[last]) + " MPa/mm" +
+        say(settings.text("out") + ": at " + readable(unit.factor * response.pressure[last]) + " " + unit.name +
+            " the contact fraction is " + percent(response.contact_fraction[last]) + " and the stiffness " +
+            readable(response.tangent_stiffness[last]) + " MPa/mm" +
             (files.page.empty() ? "" : "; page " + files.page.string()));
     }
     return 0;

@@ -27,8 +27,7 @@ Bindings bindings_of(rough::GenomeDistribution& law) {
 const Setting file_setting{"file", "", "the database (may be given without the flag)"};
 
 std::filesystem::path given_file(const Settings& settings) {
-    if (!settings.has("file"))
-        rough::refuse("database: no file given; name a genome database");
+    if (!settings.has("file")) rough::refuse("database: no file given; name a genome database");
     return settings.text("file");
 }
 
@@ -45,8 +44,7 @@ bool any_given(const Settings& settings, const std::vector<Setting>& of) {
 int database_build(const Settings& settings, const std::string&) {
     rough::BuildOptions options;
     take(settings, app::bindings_of(options));
-    if (!cluster::is_alone())
-        options.computing = computing_on_ranks(options.threads);
+    if (!cluster::is_alone()) options.computing = computing_on_ranks(options.threads);
 
     rough::GenomeStore store = database_from(given_file(settings), settings);
     const Interrupt interrupt;
@@ -63,8 +61,8 @@ int database_build(const Settings& settings, const std::string&) {
     options.stop = &interrupt.flag();
     rough::build(store, options);
     const std::uint64_t stored = store.stored();
-    say(store.file().string() + ": " + std::to_string(stored) + " genomes stored, " +
-        std::to_string(stored - before) + " in the last " + duration_words(clock.seconds()));
+    say(store.file().string() + ": " + std::to_string(stored) + " genomes stored, " + std::to_string(stored - before) +
+        " in the last " + duration_words(clock.seconds()));
     return interrupt.requested() ? exit_interrupted : 0;
 }
 
@@ -73,10 +71,8 @@ int database_info(const Settings& settings, const std::string&) {
     const auto curves = store.curves();
     const auto failed = std::ranges::count_if(curves.range, [](double range) { return std::isnan(range); });
     std::cout << "genomes " << store.stored() << "\nwithout_response " << failed << "\nbytes "
-              << std::filesystem::file_size(store.file()) << "\nversion " << printable(store.version())
-              << "\n";
-    for (const auto& [name, value] : rough::named_values(store.setup()))
-        std::cout << name << " " << value << "\n";
+              << std::filesystem::file_size(store.file()) << "\nversion " << printable(store.version()) << "\n";
+    for (const auto& [name, value] : rough::named_values(store.setup())) std::cout << name << " " << value << "\n";
     return 0;
 }
 
@@ -91,17 +87,15 @@ int database_merge(const Settings& settings, const std::string&) {
     for (const auto& file : files)
         if (std::filesystem::equivalent(file, out, none))
             rough::refuse("--out: ", out.string(), " is read here; choose another name");
-    say(out.string() + ": " + std::to_string(rough::merge(files, out)) + " genomes of " +
-        std::to_string(files.size()) + " files");
+    say(out.string() + ": " + std::to_string(rough::merge(files, out)) + " genomes of " + std::to_string(files.size()) +
+        " files");
     return 0;
 }
 
 int database_query(const Settings& settings, const std::string&) {
-    if (!settings.has("target"))
-        rough::refuse("--target: missing; name a target file");
+    if (!settings.has("target")) rough::refuse("--target: missing; name a target file");
     std::filesystem::path out;
-    if (settings.has("out"))
-        out = expect_writable(settings.text("out"), settings);
+    if (settings.has("out")) out = expect_writable(settings.text("out"), settings);
     const std::vector targets{rough::read_target(settings.text("target"))};
     const ga::Stopwatch clock;
     const rough::GenomeStore store = rough::GenomeStore::open(given_file(settings));
@@ -112,16 +106,15 @@ int database_query(const Settings& settings, const std::string&) {
         rough::refuse(store.file().string(), ": no stored curve reaches the end of the target; "
                                              "use a database with more genomes");
     std::printf("%llu curves screened in %.3f s\n%4s %12s %12s %12s %14s\n",
-                static_cast<unsigned long long>(store.stored()), clock.seconds(), "rank", "genome",
-                "similarity", "worst", "scale");
+                static_cast<unsigned long long>(store.stored()), clock.seconds(), "rank", "genome", "similarity",
+                "worst", "scale");
     for (std::size_t rank = 0; rank < answers.size(); ++rank) {
         const auto& [index, scale, answer] = answers[rank];
         std::printf("%4zu %12llu %12.6f %12.6f %14.6g\n", rank + 1, static_cast<unsigned long long>(index),
                     answer.similarity, answer.lowest(), scale);
     }
     if (settings.has("out"))
-        rough::write_atomically(
-            out, rough::genome_file_text(answers.front().answer.genome, setup.model.grid.length));
+        rough::write_atomically(out, rough::genome_file_text(answers.front().answer.genome, setup.model.grid.length));
     return 0;
 }
 
@@ -129,8 +122,7 @@ int database_query(const Settings& settings, const std::string&) {
 
 Bindings bindings_of(rough::BuildOptions& options) {
     return {
-        {whole("genomes", std::to_string(options.genomes), 1, 1e9,
-               "number of genomes in the file at the end"),
+        {whole("genomes", std::to_string(options.genomes), 1, 1e9, "number of genomes in the file at the end"),
          options.genomes},
         {whole("first", std::to_string(options.first), 0, 1e12,
                "number of the first genome, for a part that is merged with others"),
@@ -161,16 +153,16 @@ rough::GenomeStore database_from(const std::filesystem::path& file, const Settin
 }
 
 std::vector<Setting> query_settings() {
-    return joined({{max_pressure_setting(), whole("best", "10", 1, 1e9, "number of genomes to list"),
-                    threads_setting()},
-                   model_settings()});
+    return joined(
+        {{max_pressure_setting(), whole("best", "10", 1, 1e9, "number of genomes to list"), threads_setting()},
+         model_settings()});
 }
 
 rough::DesignSetup query_from(const Settings& settings, const rough::GenomeStore& store,
                               const std::vector<rough::Target>& targets) {
     // The stored curves are scaled to the model of the settings.
-    rough::DesignSetup setup{.model = any_given(settings, model_settings()) ? model_from(settings)
-                                                                            : store.setup().model,
+    rough::DesignSetup setup{.model =
+                                 any_given(settings, model_settings()) ? model_from(settings) : store.setup().model,
                              .targets = targets};
     settings.take("max-pressure", setup.max_pressure);
     return setup;

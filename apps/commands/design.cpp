@@ -8,8 +8,8 @@
 namespace rough {
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ToleranceLevel, similarity, noise_rms, tilt, scale)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(NoiseQuantile, noise_rms, quantile, median, draws)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Tolerance, noise_length, similarity, draws, share_from, share_to, levels,
-                                   curve, complete)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Tolerance, noise_length, similarity, draws, share_from, share_to, levels, curve,
+                                   complete)
 } // namespace rough
 
 namespace app {
@@ -20,9 +20,7 @@ OutputFolder design_folder(const Settings& settings, bool resume) {
         "checkpoint.cbor.before,tolerance.cbor,surface.stl,surface.3mf,surface.png,surface-scale.json,"
         "curves.csv,points.csv,heights-drawn.csv,map.csv,front.csv,made.csv,"
         "tolerance.csv,asperities.csv,spots.csv,tile.stl,tile.3mf,mould.stl,mould.3mf";
-    return {settings.text("out"),
-            "design",
-            {rough::listed(names), settings.files(), settings.is_on("force"), resume}};
+    return {settings.text("out"), "design", {rough::listed(names), settings.files(), settings.is_on("force"), resume}};
 }
 
 int repeat_verdict(const std::filesystem::path& result) {
@@ -45,8 +43,8 @@ constexpr double searched_by = 0.75, tolerance_by = 0.86, checked_by = 0.9;
 void find_answer(DesignRun& run, double limit, ProgressLine& progress) {
     if (run.from) {
         const Production& from = *run.from;
-        run.morphed = rough::morph(run.setup, from.genome, from.control, from.largest_change,
-                                   run.setup.required_similarity);
+        run.morphed =
+            rough::morph(run.setup, from.genome, from.control, from.largest_change, run.setup.required_similarity);
         run.found = as_found(run.setup, *run.morphed);
         run.found.name = run.found.pipeline = "morph";
     } else {
@@ -55,8 +53,7 @@ void find_answer(DesignRun& run, double limit, ProgressLine& progress) {
         const auto evaluator = design_evaluator(options.threads);
         options.evaluator = evaluator.get();
         const auto show = [&](const std::string& text) { progress.show(text); };
-        run.found =
-            rough::search(run.setup, options, {recorder(run.stages), ga::progress<rough::Genome>(show)});
+        run.found = rough::search(run.setup, options, {recorder(run.stages), ga::progress<rough::Genome>(show)});
     }
     const rough::Answer& best = run.found.best;
     const rough::Grid& grid = run.setup.model.grid;
@@ -71,16 +68,14 @@ void find_answer(DesignRun& run, double limit, ProgressLine& progress) {
 rough::Tolerance kept_tolerance(const DesignRun& run, const std::filesystem::path& file,
                                 const rough::ToleranceOptions& options) {
     const rough::Genome& genome = run.found.best.genome;
-    const std::string key = rough::json_text({run.origin.inputs, rough::description(run.setup),
-                                              rough::genome_to_json(genome), run.options.seed, options.price,
-                                              options.draws ? nlohmann::json(*options.draws) : nullptr},
-                                             true);
-    if (run.options.checkpoints->resume && std::filesystem::exists(ga::held_path(file)))
-        try {
+    const std::string key =
+        rough::json_text({run.origin.inputs, rough::description(run.setup), rough::genome_to_json(genome),
+                          run.options.seed, options.price, options.draws ? nlohmann::json(*options.draws) : nullptr},
+                         true);
+    if (run.options.checkpoints->resume && std::filesystem::exists(ga::held_path(file))) try {
             const nlohmann::json kept = ga::read_cbor(ga::opened(file), file);
             auto tolerance = kept.at("tolerance").get<rough::Tolerance>();
-            if (kept.at("key") == key && !tolerance.levels.empty())
-                return tolerance;
+            if (kept.at("key") == key && !tolerance.levels.empty()) return tolerance;
         } catch (const ga::UsageError&) { // damaged: computed again
         } catch (const nlohmann::json::exception&) {
         }
@@ -106,20 +101,17 @@ void check_answer(DesignRun& run, double limit, const std::filesystem::path& fol
 }
 
 int design(const Settings& settings, const std::string& line) {
-    if (settings.has("asperities"))
-        return design_asperities(settings, line);
+    if (settings.has("asperities")) return design_asperities(settings, line);
     expect_none(settings, names_of(asperity_settings()), "given without --asperities; give both or none");
     const ga::Stopwatch clock;
     DesignRun run = design_from(settings, request_from(settings), clock);
     const auto work = [&](const OutputFolder& output, const Interrupt& interrupt) {
-        if (!run.from)
-            rough::expect_searchable(run.setup, run.options.pipeline);
+        if (!run.from) rough::expect_searchable(run.setup, run.options.pipeline);
         std::ranges::for_each(run.accounts, say);
         if (!run.from) {
             rough::DesignSetup asked = run.setup;
             asked.model.contact.stop = rough::ending_after(0.05 * run.options.seconds, run.options.stop);
-            for (const std::string& doubt : rough::doubts(asked))
-                say("note: " + doubt);
+            for (const std::string& doubt : rough::doubts(asked)) say("note: " + doubt);
         }
         say_unreachable(run.unreachable, run.setup.model.grid.is_2d() ? "every map" : "every profile");
         ProgressLine progress;
@@ -138,15 +130,13 @@ int design(const Settings& settings, const std::string& line) {
             check_answer(run, limit, output.path(), progress);
             record(output.path());
         }
-        if (!run.interrupted && settings.choice("pictures") == 0)
-            try {
+        if (!run.interrupted && settings.choice("pictures") == 0) try {
                 write_design_drawings(run, output.path());
             } catch (const rough::InputError& error) { // the page has no pictures then
                 say(std::string("note: ") + error.what());
             }
         if (run.trust) {
-            for (const auto& flag : run.trust->flags)
-                say("note: " + flag);
+            for (const auto& flag : run.trust->flags) say("note: " + flag);
             if (!run.trust->left_out.empty())
                 say("note: no time was left for " + std::to_string(run.trust->left_out.size()) +
                     " checks of the answer, which result.json names under trust");

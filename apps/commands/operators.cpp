@@ -13,8 +13,7 @@ int operators(const Settings&, const std::string&) {
     two_targets.targets.resize(2);
     std::cout << ga::listing(rough::design_registry(two_targets));
     std::cout << "\nvariants\n";
-    for (const auto& [name, text] : rough::design_variants())
-        std::cout << "  " << name << " = " << text << "\n";
+    for (const auto& [name, text] : rough::design_variants()) std::cout << "  " << name << " = " << text << "\n";
     return 0;
 }
 

@@ -31,12 +31,10 @@ class ByChildren : public ga::Evaluator<P> {
 
     void outcomes(const P& problem, std::span<ga::EvaluationCall<P>> calls, const ga::Watch& watch) override {
         std::vector<std::string> genes;
-        for (const auto& call : calls)
-            genes.push_back(problem.text_of(*call.genome));
+        for (const auto& call : calls) genes.push_back(problem.text_of(*call.genome));
         auto answers = children_.ask(genes, watch);
         for (std::size_t i = 0; i < answers.size(); ++i)
-            if (!std::holds_alternative<ga::Pending>(answers[i]))
-                *calls[i].answer = std::move(answers[i]);
+            if (!std::holds_alternative<ga::Pending>(answers[i])) *calls[i].answer = std::move(answers[i]);
     }
     int threads() const override { return children_.count(); }
 
@@ -59,8 +57,8 @@ void search_by_children(SearchByChildren& search, Children& children, const std:
     run.budget = {search.evaluations, search.seconds, &Interrupt::flag(), search.max_failures};
     const auto tries = static_cast<std::size_t>(std::min(search.evaluations, 200L));
     const P unknown(search.genes, {false});
-    const auto [given, probe] = begun<G>(
-        search, unknown, ga::Pipeline<P>(ga::sample(search.start.empty() ? tries : 1) | ga::score()));
+    const auto [given, probe] =
+        begun<G>(search, unknown, ga::Pipeline<P>(ga::sample(search.start.empty() ? tries : 1) | ga::score()));
     const auto first = ga::run_by(evaluator, probe, unknown, given, run);
     const auto book = [&](const auto& result, long extra) {
         search.spent = result.counters.evaluations + extra;
@@ -71,8 +69,7 @@ void search_by_children(SearchByChildren& search, Children& children, const std:
     };
     book(first, 0);
     const std::size_t objectives = children.objectives();
-    if (objectives == 0)
-        return;
+    if (objectives == 0) return;
     const P problem(search.genes, children.record.minimise = minimised(search.minimise, objectives));
     const auto whole = stage_of<P>(search, objectives);
     search.searched = whole.text();
@@ -87,8 +84,8 @@ void search_by_children(SearchByChildren& search, Children& children, const std:
     run.variant = search.variant = variant_of(search, objectives);
     run.budget.evaluations = search.evaluations - extra;
     run.budget.seconds = search.seconds - clock.seconds();
-    ga::Checkpoints<P> keeper(checkpoint, search.description + " " + std::to_string(objectives),
-                              search.resume, checkpoint_interval());
+    ga::Checkpoints<P> keeper(checkpoint, search.description + " " + std::to_string(objectives), search.resume,
+                              checkpoint_interval());
     keeper.keep("record", children.record);
     const auto show = [&](const std::string& text) { progress.show(text); };
     book(ga::run_by(evaluator, stage, problem, start, run, {ga::progress<G>(show)}, &keeper), extra);
@@ -97,29 +94,26 @@ void search_by_children(SearchByChildren& search, Children& children, const std:
 using nlohmann::json;
 
 std::vector<Setting> optimise_settings() {
-    Setting minimise("minimise", "",
-                     "lower is better: for all objectives, or only for those that X = 1,3 names");
+    Setting minimise("minimise", "", "lower is better: for all objectives, or only for those that X = 1,3 names");
     minimise.alone = "all";
-    return joined(
-        {{{"genes", "",
-           "genome: real:COUNT:LOWER:UPPER (:log or :STEP may follow), int:COUNT:FROM:TO and "
-           "choice:COUNT:WORD:WORD:..., with commas between, or bits:COUNT, or permutation:COUNT (of 0, 1, "
-           "...)"},
-          {"evaluate", "", "program that evaluates, with its arguments; quotes as in a shell, but no shell"},
-          {"start", "", "file of genomes to begin with, one per line, with commas between their genes"},
-          minimise,
-          positive("timeout", "60", "maximum seconds for one evaluation"),
-          whole("threads", "0", 0, 1024,
-                "number of child processes, which evaluate at the same time; 0: one per processor"),
-          {"out", "", "folder for result.json [out/optimise]"},
-          Setting("resume", "", "continue the interrupted run in the folder given by --out", true),
-          force_setting()},
-         outside_settings()});
+    return joined({{{"genes", "",
+                     "genome: real:COUNT:LOWER:UPPER (:log or :STEP may follow), int:COUNT:FROM:TO and "
+                     "choice:COUNT:WORD:WORD:..., with commas between, or bits:COUNT, or permutation:COUNT (of 0, 1, "
+                     "...)"},
+                    {"evaluate", "", "program that evaluates, with its arguments; quotes as in a shell, but no shell"},
+                    {"start", "", "file of genomes to begin with, one per line, with commas between their genes"},
+                    minimise,
+                    positive("timeout", "60", "maximum seconds for one evaluation"),
+                    whole("threads", "0", 0, 1024,
+                          "number of child processes, which evaluate at the same time; 0: one per processor"),
+                    {"out", "", "folder for result.json [out/optimise]"},
+                    Setting("resume", "", "continue the interrupted run in the folder given by --out", true),
+                    force_setting()},
+                   outside_settings()});
 }
 
 json solution_json(const Solution& solution) {
-    json result = {{"genes", rough::parsed_json(solution.genes, "genes")},
-                   {"objectives", solution.answer.objectives}};
+    json result = {{"genes", rough::parsed_json(solution.genes, "genes")}, {"objectives", solution.answer.objectives}};
     const auto& violation = solution.answer.violation;
     if (violation.size() > 1)
         result["violation"] = violation;
@@ -129,19 +123,16 @@ json solution_json(const Solution& solution) {
 }
 
 json outside_json(const OutsideSearch& searched, const BestKnown& record, const Settings& settings) {
-    json result{
-        {"genes", settings.text("genes")}, {"evaluate", settings.text("evaluate")},
-        {"variant", searched.variant},     {"pipeline", searched.searched},
-        {"minimise", json::array()},       {"best", record.best() ? solution_json(*record.best()) : json()},
-        {"evaluations", searched.spent},   {"failures", searched.failures},
-        {"stopped", searched.stopped},     {"notes", searched.notes}};
+    json result{{"genes", settings.text("genes")}, {"evaluate", settings.text("evaluate")},
+                {"variant", searched.variant},     {"pipeline", searched.searched},
+                {"minimise", json::array()},       {"best", record.best() ? solution_json(*record.best()) : json()},
+                {"evaluations", searched.spent},   {"failures", searched.failures},
+                {"stopped", searched.stopped},     {"notes", searched.notes}};
     for (std::size_t k = 0; k < record.minimise.size(); ++k)
-        if (record.minimise[k])
-            result["minimise"].push_back(k + 1);
+        if (record.minimise[k]) result["minimise"].push_back(k + 1);
     if (record.minimise.size() > 1) {
         result["front"] = json::array();
-        for (const Solution& solution : record.front())
-            result["front"].push_back(solution_json(solution));
+        for (const Solution& solution : record.front()) result["front"].push_back(solution_json(solution));
     }
     return result;
 }
@@ -157,14 +148,12 @@ std::vector<std::vector<double>> start_from(const Genes& genes, const std::files
         std::string line(lines[i]);
         std::vector<std::string> values;
         boost::trim_if(line, boost::is_any_of(", \t\r[]"));
-        if (line.empty() || line[0] == '#')
-            continue;
+        if (line.empty() || line[0] == '#') continue;
         boost::split(values, line, boost::is_any_of(", \t\""), boost::token_compress_on);
         std::erase(values, "");
         start.push_back(numbers_from(genes, values, path.string() + ", line " + std::to_string(i + 1)));
     }
-    if (start.empty())
-        rough::refuse("--start: ", path.string(), " has no genome; give one per line");
+    if (start.empty()) rough::refuse("--start: ", path.string(), " has no genome; give one per line");
     return start;
 }
 
@@ -177,19 +166,17 @@ SearchByChildren search_from(const Settings& settings) {
     SearchByChildren search;
     take_search(settings, search);
     search.genes = genes_from(settings.text("genes"));
-    if (settings.has("start"))
-        search.start = start_from(search.genes, settings.path("start"));
+    if (settings.has("start")) search.start = start_from(search.genes, settings.path("start"));
     search.minimise = settings.text("minimise");
     if (search.minimise != "all") // the number of objectives is not known yet
         minimised(search.minimise, 1000);
     std::vector<std::filesystem::path> files = settings.files();
     for (const std::string& word : split_command(settings.text("evaluate")))
-        if (std::error_code none; std::filesystem::is_regular_file(word, none))
-            files.emplace_back(word);
+        if (std::error_code none; std::filesystem::is_regular_file(word, none)) files.emplace_back(word);
     search.inputs = inputs_json(files);
-    search.description = rough::json_text({RUGOSA_VERSION, key_of(search.inputs), settings.text("genes"),
-                                           settings.text("evaluate"), search.minimise},
-                                          true);
+    search.description = rough::json_text(
+        {RUGOSA_VERSION, key_of(search.inputs), settings.text("genes"), settings.text("evaluate"), search.minimise},
+        true);
     search.resume = resumes(settings);
     return search;
 }
@@ -206,16 +193,14 @@ int optimise(const Settings& settings, const std::string& line) {
                                search.resume});
     const auto& folder = output.path();
     const std::filesystem::path checkpoint = folder / "checkpoint.cbor";
-    if (search.resume && says_finished(folder, "checkpoint.cbor", search.inputs))
-        return 0;
+    if (search.resume && says_finished(folder, "checkpoint.cbor", search.inputs)) return 0;
 
     const Interrupt interrupt;
     ProgressLine progress;
     Children children(settings.text("evaluate"), threads, timeout, folder / "evaluate.log");
     search.seconds -= clock.seconds();
-    by_kind(search.genes, [&](auto genome) {
-        search_by_children<decltype(genome)>(search, children, checkpoint, progress);
-    });
+    by_kind(search.genes,
+            [&](auto genome) { search_by_children<decltype(genome)>(search, children, checkpoint, progress); });
     if (!children.trouble().empty())
         search.stopped = children.trouble();
     else if (search.failures > 0 && !search.is_dead_end)
@@ -233,14 +218,12 @@ int optimise(const Settings& settings, const std::string& line) {
             std::filesystem::remove(ga::held_path(folder / kept));
     if (!children.trouble().empty())
         rough::refuse(children.trouble(), record.best() ? "; the best so far is in " + folder.string() : "");
-    if (!record.best() && search.is_dead_end)
-        rough::refuse("--evaluate: ", search.stopped, "; correct the program");
+    if (!record.best() && search.is_dead_end) rough::refuse("--evaluate: ", search.stopped, "; correct the program");
     tell_notes(search.notes);
     std::string best = "nothing was evaluated";
     if (record.best()) {
         best = "best";
-        for (const double value : record.best()->answer.objectives)
-            best += " " + readable(value, 6);
+        for (const double value : record.best()->answer.objectives) best += " " + readable(value, 6);
     }
     say(folder.string() + ": " + best + " after " + std::to_string(search.spent) + " evaluations (" +
         readable(clock.seconds()) + " s)" + (search.stopped.empty() ? "" : "; " + search.stopped) +

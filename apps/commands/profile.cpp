@@ -21,8 +21,7 @@ namespace {
 Bindings bindings_of(rough::Extrusion& extrusion) {
     return {
         {positive("width", "", "width of a profile's solid along its ridges, mm [L/4]"), extrusion.width},
-        {positive("base", "",
-                  "thickness of the solid below its lowest node, mm [the larger of height range and L/10]"),
+        {positive("base", "", "thickness of the solid below its lowest node, mm [the larger of height range and L/10]"),
          extrusion.base},
         {positive("magnify", "1", "factor on all lengths of the solid, for printing"), extrusion.magnify},
         {positive("layer-height", "0.05", "height of the printer's layers, mm"), extrusion.layer},
@@ -34,13 +33,11 @@ std::vector<Setting> profile_settings() {
     const std::vector<Setting> settings{
         {"out", "", "folder for the results [out/NAME, or out/NAME-2 and on]"},
         force_setting(),
-        whole("nodes", "", 10, 1e7,
-              "nodes of the grid, 10 to 1e7, or NXxNY of a map [512, or the points of a scan]")
+        whole("nodes", "", 10, 1e7, "nodes of the grid, 10 to 1e7, or NXxNY of a map [512, or the points of a scan]")
             .several('x'),
-        positive(
-            "length", "",
-            "length L of the profile, mm, or LXxLY of a map [0.84942, or the length of a scan or of the scan "
-            "that a genome was made for]")
+        positive("length", "",
+                 "length L of the profile, mm, or LXxLY of a map [0.84942, or the length of a scan or of the scan "
+                 "that a genome was made for]")
             .several('x'),
         Setting("periodic", "", "the map is periodic: no window is applied, and lags cross its edges", true),
         Setting(ga::number("smr", "", -1e300, 1e300,
@@ -60,8 +57,7 @@ std::vector<Setting> profile_settings() {
 std::string matrix(const rough::Profile& map) {
     const auto [nodes, rows] = map.shape();
     rough::PlainStream out;
-    out << map.heights.reshaped(nodes, rows).transpose().format({17, Eigen::DontAlignCols, ",", "\n"})
-        << "\n";
+    out << map.heights.reshaped(nodes, rows).transpose().format({17, Eigen::DontAlignCols, ",", "\n"}) << "\n";
     return out.str();
 }
 
@@ -90,20 +86,17 @@ struct SurfaceReport {
 
 /// The surface with NaN at its missing points, unless --fill was given.
 std::shared_ptr<const rough::Profile> with_holes(const std::shared_ptr<const rough::Profile>& surface,
-                                                 const rough::MissingPoints& missing,
-                                                 const Settings& settings) {
-    if (!missing || settings.is_on("fill"))
-        return surface;
+                                                 const rough::MissingPoints& missing, const Settings& settings) {
+    if (!missing || settings.is_on("fill")) return surface;
     rough::Profile holed = *surface;
     holed.heights(missing.nodes).setConstant(std::nan(""));
     return std::make_shared<const rough::Profile>(std::move(holed));
 }
 
 void add_missing(SurfaceReport& all, const rough::MissingPoints& missing) {
-    all.numbers["missing"] = {
-        {"points", missing.nodes.size()},
-        {"share", missing.share},
-        {all.surface->is_2d() ? "largest_hole_mm2" : "largest_hole_mm", missing.largest_hole}};
+    all.numbers["missing"] = {{"points", missing.nodes.size()},
+                              {"share", missing.share},
+                              {all.surface->is_2d() ? "largest_hole_mm2" : "largest_hole_mm", missing.largest_hole}};
 }
 
 SurfaceReport described_profile(const Settings& settings) {
@@ -120,14 +113,11 @@ SurfaceReport described_profile(const Settings& settings) {
     if (source.genome) {
         lines = rough::discrete_spectrum(*source.genome);
         const double shortest = shortest_wave(*source.genome) * (1 + 1e-9) / grid.spacing();
-        account =
-            source.name + ": a profile of " + readable(grid.length, 6) + " mm with " +
-            std::to_string(lines.size()) + " waves, of which the shortest is " + readable(shortest) +
-            " nodes long" +
-            (shortest < 8 ? " (under 8, so that slopes, curvatures and light contact depend on the grid)"
-                          : "");
-        jump =
-            jump_note(*source.genome, grid.length, profile->heights.maxCoeff() - profile->heights.minCoeff());
+        account = source.name + ": a profile of " + readable(grid.length, 6) + " mm with " +
+                  std::to_string(lines.size()) + " waves, of which the shortest is " + readable(shortest) +
+                  " nodes long" +
+                  (shortest < 8 ? " (under 8, so that slopes, curvatures and light contact depend on the grid)" : "");
+        jump = jump_note(*source.genome, grid.length, profile->heights.maxCoeff() - profile->heights.minCoeff());
     }
     const bool is_roughness = settings.has("lambda-c");
     const rough::Roughness r = rough::roughness(*profile, is_roughness ? settings.number("lambda-c") : 0);
@@ -185,8 +175,7 @@ void add_requested(SurfaceReport& all, rough::Profile map, const Settings& setti
     for (const double ratio : settings.numbers("smc")) {
         const double height = rough::material_height(map.heights, ratio);
         add("Smc_of_ratios", ratio, height,
-            {"Smc(" + brief(100 * ratio, 4) + " %)", "mm", "height that this share of the map exceeds",
-             height});
+            {"Smc(" + brief(100 * ratio, 4) + " %)", "mm", "height that this share of the map exceeds", height});
     }
 }
 
@@ -197,32 +186,30 @@ SurfaceReport described_map(const Settings& settings) {
                holed = with_holes(map, read.missing, settings);
     const rough::ArealParameters areal = areal_parameters(*map, periodic);
     const auto [nodes, rows] = map->shape();
-    SurfaceReport all{.kind = "surface",
-                      .surface = map,
-                      .measured = holed,
-                      .spectrum = continuous_spectrum(*map, periodic),
-                      .account = (measured ? settings.text("surface") + ": " : "") + read.account,
-                      .warning = measured ? resolution_warning(*map, periodic) : "",
-                      .rows = areal.rows,
-                      .largest_height = areal["Sz"],
-                      .numbers = {{"account", read.account},
-                                  {"length_mm",
-                                   {map->spacing * static_cast<double>(nodes),
-                                    map->row_spacing * static_cast<double>(rows)}},
-                                  {"nodes", {nodes, rows}},
-                                  {"spacing_mm", {map->spacing, map->row_spacing}},
-                                  {"Str_is_bound", areal.Str_is_bound}},
-                      .tables = {},
-                      .pictures = {{"heights.svg", "map:height"}, {"spectrum.svg", "spectrum:mm⁴"}}};
+    SurfaceReport all{
+        .kind = "surface",
+        .surface = map,
+        .measured = holed,
+        .spectrum = continuous_spectrum(*map, periodic),
+        .account = (measured ? settings.text("surface") + ": " : "") + read.account,
+        .warning = measured ? resolution_warning(*map, periodic) : "",
+        .rows = areal.rows,
+        .largest_height = areal["Sz"],
+        .numbers = {{"account", read.account},
+                    {"length_mm",
+                     {map->spacing * static_cast<double>(nodes), map->row_spacing * static_cast<double>(rows)}},
+                    {"nodes", {nodes, rows}},
+                    {"spacing_mm", {map->spacing, map->row_spacing}},
+                    {"Str_is_bound", areal.Str_is_bound}},
+        .tables = {},
+        .pictures = {{"heights.svg", "map:height"}, {"spectrum.svg", "spectrum:mm⁴"}}};
     all.tables = {
         {"heights.txt", [=] { return matrix(*holed); }},
         {"surface.vtk", [=] { return vtk(*holed); }},
-        {"map.csv",
-         [=] { return map_csv(*holed, {"height_mm"}, {holed->heights.array() - map->heights.maxCoeff()}); },
+        {"map.csv", [=] { return map_csv(*holed, {"height_mm"}, {holed->heights.array() - map->heights.maxCoeff()}); },
          false},
         {"spectrum.csv", [s = all.spectrum] {
-             return csv({"wave_number_rad_per_mm", "density_mm4", "power_mm2"},
-                        {s.wave_number, s.density, s.power});
+             return csv({"wave_number_rad_per_mm", "density_mm4", "power_mm2"}, {s.wave_number, s.density, s.power});
          }}};
     add_missing(all, read.missing);
     add_requested(all, *map, settings);
@@ -244,8 +231,7 @@ nlohmann::json numbers_of(const SurfaceReport& of, const Settings& settings, con
                     {"version", RUGOSA_VERSION}});
     numbers["warning"] = of.warning;
     numbers["print"] = print_note(*of.surface, extrusion);
-    for (const rough::SurfaceParameter& one : of.rows)
-        numbers[one.key()] = one.value;
+    for (const rough::SurfaceParameter& one : of.rows) numbers[one.key()] = one.value;
     for (const auto* const all : {&of.rows, &of.requested})
         for (const rough::SurfaceParameter& one : *all)
             numbers["parameters"].push_back(
@@ -259,8 +245,7 @@ void print_parameters(const std::vector<rough::SurfaceParameter>& all, double la
     for (const rough::SurfaceParameter& one : all) {
         const Unit unit = one.unit == "mm" ? height : Unit{one.unit, 1};
         char value[32] = "none", line[160];
-        if (std::isfinite(one.value))
-            std::snprintf(value, sizeof value, "%.6g", one.value * unit.factor);
+        if (std::isfinite(one.value)) std::snprintf(value, sizeof value, "%.6g", one.value * unit.factor);
         std::snprintf(line, sizeof line, "  %-14s %12s %-5s %s", one.name.c_str(), value, unit.name.c_str(),
                       one.meaning.c_str());
         say(line);
@@ -274,8 +259,7 @@ void write_description(const SurfaceReport& of, const std::filesystem::path& sou
                                    of.kind + ".3mf",  of.kind + ".png",     of.kind + "-scale.json",
                                    of.kind + ".sur",  "bearing.csv",        "spectrum-drawn.csv",
                                    "report.html",     of.pictures[0].first, of.pictures[1].first};
-    for (const Table& table : of.tables)
-        names.push_back(table.name);
+    for (const Table& table : of.tables) names.push_back(table.name);
     const OutputFolder out(settings.text("out"), source.stem().string(),
                            {names, settings.files(), settings.is_on("force")});
     const auto write = [&](const std::string& name, const std::string& content) {
@@ -292,17 +276,15 @@ void write_description(const SurfaceReport& of, const std::filesystem::path& sou
             return false;
         }
     };
-    if (write_possible(of.kind + ".sur", [&] { return sur(*of.measured); }))
-        files.push_back(of.kind + ".sur");
+    if (write_possible(of.kind + ".sur", [&] { return sur(*of.measured); })) files.push_back(of.kind + ".sur");
     for (const auto& [name, content, is_listed] : of.tables) {
         write(name, content());
-        if (is_listed)
-            files.push_back(name);
+        if (is_listed) files.push_back(name);
     }
     write(of.kind + ".x3p", x3p(*of.measured));
     write("bearing.csv", bearing_csv(of.surface->heights));
-    write("spectrum-drawn.csv", drawn_csv({"wave_number_rad_per_mm", "density"},
-                                          {of.spectrum.wave_number, of.spectrum.density}, true));
+    write("spectrum-drawn.csv",
+          drawn_csv({"wave_number_rad_per_mm", "density"}, {of.spectrum.wave_number, of.spectrum.density}, true));
     for (const auto& written : {solids, write_height_image(*of.surface, extrusion, out.path(), of.kind)})
         files.insert(files.end(), written.begin(), written.end());
     write_json(out.path() / (of.kind + ".json"),
@@ -313,15 +295,13 @@ void write_description(const SurfaceReport& of, const std::filesystem::path& sou
             write_possible(file, [&, name = figure] { return figure_file(name, page); });
         rough::write_atomically(page_of(page), render(page));
     }
-    if (!of.warning.empty())
-        say("warning: " + of.warning);
+    if (!of.warning.empty()) say("warning: " + of.warning);
     say(of.account);
     print_parameters(of.rows, of.largest_height);
     print_parameters(of.requested, of.largest_height);
     say(print_note(*of.surface, extrusion));
     const bool has_page = settings.choice("pictures") == 0;
-    say("written to " + out.path().string() +
-        (has_page ? "; page " + page_of(page_source(out.path())).string() : ""));
+    say("written to " + out.path().string() + (has_page ? "; page " + page_of(page_source(out.path())).string() : ""));
 }
 
 int profile(const Settings& settings, const std::string&) {
@@ -330,10 +310,9 @@ int profile(const Settings& settings, const std::string&) {
     take(settings, bindings_of(extrusion));
     const bool is_map = given == "surface" || (given == "genome" && asks_for_map(settings));
     if (!is_map)
-        expect_none(settings, {"periodic", "smr", "smc"},
-                    "given without a map; give --surface or --nodes NXxNY too");
-    write_description(is_map ? described_map(settings) : described_profile(settings), settings.text(given),
-                      settings, extrusion);
+        expect_none(settings, {"periodic", "smr", "smc"}, "given without a map; give --surface or --nodes NXxNY too");
+    write_description(is_map ? described_map(settings) : described_profile(settings), settings.text(given), settings,
+                      extrusion);
     return 0;
 }
 

@@ -9,8 +9,7 @@ namespace app {
 namespace {
 
 /// The page that --out names, which is not a file that the page is made from.
-std::filesystem::path expect_page(const std::filesystem::path& page, const PageSource& source,
-                                  const Settings& given) {
+std::filesystem::path expect_page(const std::filesystem::path& page, const PageSource& source, const Settings& given) {
     std::error_code none;
     const bool is_beside = std::filesystem::equivalent(page.has_parent_path() ? page.parent_path() : ".",
                                                        source.folder.empty() ? "." : source.folder, none);
@@ -20,16 +19,13 @@ std::filesystem::path expect_page(const std::filesystem::path& page, const PageS
 }
 
 int report(const Settings& given, const std::string&) {
-    if (!given.has("folder"))
-        rough::refuse("report: no folder given; name the folder of a result");
+    if (!given.has("folder")) rough::refuse("report: no folder given; name the folder of a result");
     const PageSource source = page_source(given.text("folder"));
     const std::filesystem::path page =
         given.has("out") ? expect_page(given.text("out"), source, given) : page_of(source);
     std::set<std::string> missing;
-    rough::write_atomically(page,
-                            render(source, {.templates = given.text("templates"), .missing = &missing}));
-    for (const std::string& tag : missing)
-        say("note: the result has no value for the tag " + tag);
+    rough::write_atomically(page, render(source, {.templates = given.text("templates"), .missing = &missing}));
+    for (const std::string& tag : missing) say("note: the result has no value for the tag " + tag);
     tell(page.string());
     return 0;
 }
@@ -40,10 +36,8 @@ Command report_command() {
     return {
         "report",
         {{"folder", "", "the folder of a result, or CURVE.json of a contact (may be given without the flag)"},
-         {"templates", "",
-          "folder of templates (.mustache) and figures (.gp) used instead of the built-in ones"},
-         {"out", "",
-          "the page to write [report.html, or chart.html and stability.html, in the folder; CURVE.html]"},
+         {"templates", "", "folder of templates (.mustache) and figures (.gp) used instead of the built-in ones"},
+         {"out", "", "the page to write [report.html, or chart.html and stability.html, in the folder; CURVE.html]"},
          force_setting()},
         report,
         {"folder"}};

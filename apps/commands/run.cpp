@@ -7,8 +7,7 @@ namespace app {
 namespace {
 
 Setting set_setting() {
-    return Setting("set", "", "change a key of the experiment, section.key=value; may be repeated")
-        .several('\n');
+    return Setting("set", "", "change a key of the experiment, section.key=value; may be repeated").several('\n');
 }
 
 std::vector<Setting> run_settings() {
@@ -31,11 +30,9 @@ std::vector<Setting> run_settings() {
 }
 
 /// The experiment of the file's experiment.kind. Its other keys are not known before.
-const Experiment& experiment_of(const std::filesystem::path& file,
-                                const std::vector<std::string>& overrides) {
+const Experiment& experiment_of(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
     std::vector<std::string> kinds;
-    for (const Experiment& experiment : experiments())
-        kinds.push_back(experiment.kind);
+    for (const Experiment& experiment : experiments()) kinds.push_back(experiment.kind);
     const Setting kind{"experiment.kind", "paper", ""};
     return experiments()[read_ini(file, {kind, {"*", "", ""}}, overrides).one_of(kind.name, kinds)];
 }
@@ -50,24 +47,19 @@ int run_by_name(const Experiment& experiment, const Settings& given, const std::
             overrides.push_back((is_common ? "experiment." : kind + ".") + flag + "=" + value);
         }
     const bool has_file = experiment.takes_file && given.has("experiment");
-    const Settings settings =
-        read_ini(has_file ? given.text("experiment") : "", experiment.all_settings(), overrides);
+    const Settings settings = read_ini(has_file ? given.text("experiment") : "", experiment.all_settings(), overrides);
     if (has_file && settings.text("experiment.kind") != kind)
         settings.refuse("experiment.kind", settings.text("experiment.kind"), " given; give ", kind);
-    return carry_out(experiment, settings,
-                     {line, given, kind, experiment.takes_file ? "report.html" : kind + ".html"});
+    return carry_out(experiment, settings, {line, given, kind, experiment.takes_file ? "report.html" : kind + ".html"});
 }
 
 int run(const Settings& flags, const std::string& line) {
-    if (!flags.has("experiment"))
-        rough::refuse("run: no experiment given; name an .ini file");
+    if (!flags.has("experiment")) rough::refuse("run: no experiment given; name an .ini file");
     std::vector<std::string> overrides = flags.words("set");
     for (const char* key : {"seed", "threads"})
-        if (flags.has(key))
-            overrides.push_back(std::string("experiment.") + key + "=" + flags.text(key));
+        if (flags.has(key)) overrides.push_back(std::string("experiment.") + key + "=" + flags.text(key));
     for (const Setting& flag : model_settings())
-        if (flags.given(flag.name))
-            overrides.push_back("model." + flag.name + "=" + flags.text(flag.name));
+        if (flags.given(flag.name)) overrides.push_back("model." + flag.name + "=" + flags.text(flag.name));
 
     const std::filesystem::path file = flags.text("experiment");
     const Experiment& experiment = experiment_of(file, overrides);
@@ -79,8 +71,7 @@ int run(const Settings& flags, const std::string& line) {
 
 Command short_command(const std::string& kind) {
     const Experiment& experiment = experiment_named(kind);
-    std::vector<Setting> flags{
-        {"out", "", "folder to write [out/" + kind + "]"}, force_setting(), set_setting()};
+    std::vector<Setting> flags{{"out", "", "folder to write [out/" + kind + "]"}, force_setting(), set_setting()};
     if (experiment.takes_file) {
         flags.push_back({"experiment", "", "an .ini file of this kind (may be given without the flag)"});
         for (Setting common : {seed_setting(), threads_setting()}) {
@@ -94,10 +85,9 @@ Command short_command(const std::string& kind) {
             key.name.erase(0, kind.size() + 1);
             flags.push_back(key);
         }
-    return {
-        kind, flags,
-        [&](const Settings& given, const std::string& line) { return run_by_name(experiment, given, line); },
-        experiment.takes_file ? Words{"experiment"} : Words{}};
+    return {kind, flags,
+            [&](const Settings& given, const std::string& line) { return run_by_name(experiment, given, line); },
+            experiment.takes_file ? Words{"experiment"} : Words{}};
 }
 
 Command run_command() { return {"run", run_settings(), run, {"experiment"}}; }

@@ -24,24 +24,19 @@ std::vector<std::string> quantities() {
 
 std::vector<Setting> target_settings() {
     const std::vector<Setting> settings{
-        {"formula", "",
-         "formula of p (pressure, MPa) or of d (displacement, mm), e.g. \"0.3 + 2 * sqrt(p / 1e-4)\""},
+        {"formula", "", "formula of p (pressure, MPa) or of d (displacement, mm), e.g. \"0.3 + 2 * sqrt(p / 1e-4)\""},
         {"genome", "", "genome file (JSON); its response becomes the target"},
-        {"like", "",
-         "measured profile, or map (a text matrix with --spacing); its response becomes the target"},
+        {"like", "", "measured profile, or map (a text matrix with --spacing); its response becomes the target"},
         {"check", "", "target file to check; none is written"},
         {"draw", "", "page to write (HTML), on which a person draws a target and saves it"},
         Setting("quantity", "stiffness",
                 "quantity of the target, against displacement for area-displacement and load, else against "
                 "pressure; conductance takes --conductivity or --resistivity")
             .of(quantities()),
-        positive("to", "",
-                 "last pressure (MPa) or displacement (mm) [last of the response; --formula needs it]"),
-        positive("from", "",
-                 "first pressure (MPa) or displacement (mm) [the last over the number of points]"),
+        positive("to", "", "last pressure (MPa) or displacement (mm) [last of the response; --formula needs it]"),
+        positive("from", "", "first pressure (MPa) or displacement (mm) [the last over the number of points]"),
         whole("points", "20", 1, 1e6, "points of the target"),
-        Setting("spaced", "even", "spacing of the points: even, or log for a constant factor")
-            .of({"even", "log"}),
+        Setting("spaced", "even", "spacing of the points: even, or log for a constant factor").of({"even", "log"}),
         ga::number("band", "", 0, 1,
                    "tolerance band on both sides, as a fraction of each value [none; a scan: that of its "
                    "resolution]"),
@@ -55,8 +50,7 @@ std::vector<Setting> target_settings() {
 std::pair<rough::Quantity, std::optional<rough::WrittenColumns>> quantity_from(const Settings& settings,
                                                                                const rough::Model& model) {
     const std::size_t choice = settings.choice("quantity");
-    if (choice < rough::quantity_names().size())
-        return {static_cast<rough::Quantity>(choice), std::nullopt};
+    if (choice < rough::quantity_names().size()) return {static_cast<rough::Quantity>(choice), std::nullopt};
     return {rough::Quantity::interface_stiffness,
             placing(settings, "", [&] { return conductance_columns(scales_from(settings, model)); })};
 }
@@ -75,8 +69,7 @@ std::pair<rough::Target, rough::Model> made_target(const Settings& settings) {
         const auto y = formula(settings.text("formula"), against_pressure(quantity) ? "p" : "d", "--formula");
         const double unit = written ? written->y_unit : 1;
         const Eigen::VectorXd x = placing(settings, "", [&] { return points.up_to(*points.last); });
-        rough::Target target =
-            rough::target_at(quantity, "--formula", x, [&](double at) { return unit * y(at); });
+        rough::Target target = rough::target_at(quantity, "--formula", x, [&](double at) { return unit * y(at); });
         target.written = written;
         return {std::move(target), model}; // it records no body, because a formula belongs to none
     }
@@ -85,9 +78,8 @@ std::pair<rough::Target, rough::Model> made_target(const Settings& settings) {
     const auto [quantity, written] = quantity_from(settings, scene.model);
     rough::Model loaded = scene.model;
     (against_pressure(quantity) ? loaded.loading.to_pressure : loaded.loading.to_displacement) = points.last;
-    const bool has_band =
-        !settings.has("genome") && !settings.has("band") &&
-        (!scene.surface.is_2d() || settings.given("resolution")); // that of a map takes long
+    const bool has_band = !settings.has("genome") && !settings.has("band") &&
+                          (!scene.surface.is_2d() || settings.given("resolution")); // that of a map takes long
     const std::string& name = settings.text(settings.has("genome") ? "genome" : "like");
     rough::Target target = placing(settings, "", [&, quantity = quantity] {
         return target_like(scene.surface, loaded, name, quantity, points,
@@ -101,14 +93,12 @@ std::pair<rough::Target, rough::Model> made_target(const Settings& settings) {
 int report(const rough::Target& target, const rough::Model& model, const Settings& settings) {
     const rough::WrittenColumns columns = columns_of(target);
     say(target.name + ": " + std::to_string(target.points()) + " points of " + columns.y + " from " +
-        readable(target.y.minCoeff() / columns.y_unit, 4) + " to " +
-        readable(target.y.maxCoeff() / columns.y_unit, 4) + " against " + columns.x + " up to " +
-        readable(target.last() / columns.x_unit, 4) + (target.has_band() ? ", with a band" : ""));
-    if (!states_modulus(settings))
-        say(modulus_note);
+        readable(target.y.minCoeff() / columns.y_unit, 4) + " to " + readable(target.y.maxCoeff() / columns.y_unit, 4) +
+        " against " + columns.x + " up to " + readable(target.last() / columns.x_unit, 4) +
+        (target.has_band() ? ", with a band" : ""));
+    if (!states_modulus(settings)) say(modulus_note);
     const auto reasons = rough::out_of_reach({target}, model);
-    for (const auto& reason : reasons)
-        say(reason.verdict() + "; no similarity is above " + readable(reason.bound, 4));
+    for (const auto& reason : reasons) say(reason.verdict() + "; no similarity is above " + readable(reason.bound, 4));
     return reasons.empty() ? 0 : 3;
 }
 
@@ -142,8 +132,7 @@ void write_drawing_page(const std::filesystem::path& page, const Settings& setti
 int target(const Settings& settings, const std::string&) {
     const std::string source = the_given(settings, {"formula", "genome", "like", "check", "draw"}, "target");
     if (source == "draw") {
-        if (settings.has("out"))
-            rough::refuse("--out: given with --draw; omit it, as the page saves the target");
+        if (settings.has("out")) rough::refuse("--out: given with --draw; omit it, as the page saves the target");
         write_drawing_page(expect_writable(settings.text("draw"), settings, "--draw"), settings);
         return 0;
     }
@@ -153,8 +142,7 @@ int target(const Settings& settings, const std::string&) {
         std::ranges::for_each(notes_on(settings, model, {target}), say);
         return report(target, model, settings);
     }
-    if (!settings.has("out"))
-        rough::refuse("--out: missing; name the target file to write");
+    if (!settings.has("out")) rough::refuse("--out: missing; name the target file to write");
     const std::filesystem::path out = expect_writable(settings.text("out"), settings);
     auto [target, model] = made_target(settings);
     if (settings.has("band")) {

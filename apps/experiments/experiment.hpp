@@ -19,7 +19,7 @@ struct RunConditions {
 
 /// Results of an experiment.
 struct Findings {
-    nlohmann::json result = {}; ///< result.json without the run's origin; null without any results
+    nlohmann::json result = {};                    ///< result.json without the run's origin; null without any results
     std::map<std::string, std::string> files = {}; ///< other files by name, perhaps with a folder
     std::string summary = {};                      ///< one line, shown at the end
     int code = 0;                                  ///< exit code of the program

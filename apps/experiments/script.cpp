@@ -22,8 +22,7 @@ std::string module_path(const std::filesystem::path& folder) {
     const char* const before = std::getenv("PYTHONPATH");
     std::istringstream folders(before ? before : "");
     for (std::string one; std::getline(folders, one, ':');)
-        if (one.starts_with('/'))
-            path += ":" + one;
+        if (one.starts_with('/')) path += ":" + one;
     return path;
 }
 
@@ -33,20 +32,17 @@ Findings findings_of_script(const Settings& settings, const RunConditions& condi
     using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
     const std::string& kind = conditions.origin.kind;
     const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe");
-    nlohmann::json given{
-        {"folder", std::filesystem::absolute(ga::held_path(conditions.folder / "")).string()},
-        {"program", program.string()},
-        {"seed", conditions.origin.seed},
-        {"threads", conditions.origin.threads},
-        {"resume", conditions.resume},
-        {"origin", origin_json(conditions.origin)}};
-    for (const Setting& one : experiment_named(kind).settings)
-        given["settings"][one.name] = settings.text(one.name);
+    nlohmann::json given{{"folder", std::filesystem::absolute(ga::held_path(conditions.folder / "")).string()},
+                         {"program", program.string()},
+                         {"seed", conditions.origin.seed},
+                         {"threads", conditions.origin.threads},
+                         {"resume", conditions.resume},
+                         {"origin", origin_json(conditions.origin)}};
+    for (const Setting& one : experiment_named(kind).settings) given["settings"][one.name] = settings.text(one.name);
     if (settings.knows("targets.files")) {
         for (const auto& file : settings.paths("targets.files"))
             given["targets"].push_back(std::filesystem::absolute(file).string());
-        if (!given.contains("targets"))
-            settings.refuse("targets.files", "none given; name target files (CSV)");
+        if (!given.contains("targets")) settings.refuse("targets.files", "none given; name target files (CSV)");
     }
     setenv("PYTHONPATH", module_path(program.parent_path() / "python").c_str(), 1);
     const File nothing(std::fopen("/dev/null", "r+"), std::fclose), errors(std::tmpfile(), std::fclose),
@@ -62,8 +58,7 @@ Findings findings_of_script(const Settings& settings, const RunConditions& condi
     conditions.progress.show(kind + ".py");
     int status = 0;
     while (!process_ended_within(0.2, child, status))
-        if (conditions.stop)
-            end_group(child, SIGTERM);
+        if (conditions.stop) end_group(child, SIGTERM);
     if (!conditions.stop && (!WIFEXITED(status) || WEXITSTATUS(status) != 0)) {
         const std::string problem =
             last_line(rough::read_whole("/proc/self/fd/" + std::to_string(fileno(errors.get()))));
@@ -73,8 +68,7 @@ Findings findings_of_script(const Settings& settings, const RunConditions& condi
                           : "; install python3, numpy and the Python module rugosa");
     }
     const std::filesystem::path result = conditions.folder / "result.json";
-    if (!std::filesystem::exists(result))
-        return {};
+    if (!std::filesystem::exists(result)) return {};
     nlohmann::json found = rough::parsed_json(rough::read_whole(result), result.string());
     return {.result = found, .summary = found.value("summary", "")};
 }

@@ -11,15 +11,13 @@ namespace app {
 
 double persson_load(double contact, double slope) {
     double low = 0, high = 4; // between these lies sqrt 2 P/(E* h')
-    for (int k = 0; k < 60; ++k)
-        (std::erf(0.5 * (low + high)) < contact ? low : high) = 0.5 * (low + high);
+    for (int k = 0; k < 60; ++k) (std::erf(0.5 * (low + high)) < contact ? low : high) = 0.5 * (low + high);
     return low * slope / std::numbers::sqrt2;
 }
 
 std::vector<double> even_steps(double last, int steps) {
     std::vector<double> displacements;
-    for (int j = 1; j <= steps; ++j)
-        displacements.push_back(last * j / steps);
+    for (int j = 1; j <= steps; ++j) displacements.push_back(last * j / steps);
     return displacements;
 }
 
@@ -38,8 +36,7 @@ ContactTrial try_contact(const ContactScene& scene, rough::ContactOptions option
     const ga::Stopwatch clock;
     const double start = processor_seconds();
     bool late = false;
-    if (std::isfinite(limit))
-        options.stop = [&] { return late = clock.seconds() > limit; };
+    if (std::isfinite(limit)) options.stop = [&] { return late = clock.seconds() > limit; };
     ContactTrial trial;
     try {
         trial.curve = scene.pressures.empty()

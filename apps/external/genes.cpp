@@ -30,11 +30,9 @@ Bindings bindings_of(OutsideSearch& search) {
                  "named pipeline, by default ga or, for several objectives, nsga2; others only for numbers")
              .of(names_of(outside_variants({}, 1))),
          search.variant},
-        {{"pipeline", "", "search by this text, with objectives f1, f2, ... (see rugosa operators)"},
-         search.pipeline},
+        {{"pipeline", "", "search by this text, with objectives f1, f2, ... (see rugosa operators)"}, search.pipeline},
         {whole("evaluations", "10000", 1, 0x1p53, "maximum number of evaluations"), search.evaluations},
-        {positive("seconds", "",
-                  "maximum wall time of the whole search; without evaluations, the only limit"),
+        {positive("seconds", "", "maximum wall time of the whole search; without evaluations, the only limit"),
          search.seconds},
         {ga::number("max-failures", ga::number(search.max_failures), 0, 1,
                     "the search ends if a larger share of its evaluations fails, from 200 evaluations on"),
@@ -50,8 +48,7 @@ constexpr const char* kinds_of_genes =
 Genes::Part part_from(const std::string& text) {
     const auto words = parts_of(text);
     const bool real = words[0] == "real", whole = words[0] == "int", choice = words[0] == "choice";
-    if ((!choice || words.size() < 4) &&
-        (!(real || whole) || words.size() < 4 || words.size() > (real ? 5 : 4)))
+    if ((!choice || words.size() < 4) && (!(real || whole) || words.size() < 4 || words.size() > (real ? 5 : 4)))
         rough::refuse("--genes: \"", text, "\" is malformed; give ", kinds_of_genes);
     Genes::Part part;
     part.count = count_from(words[1], "--genes", 1, max_genes);
@@ -66,13 +63,11 @@ Genes::Part part_from(const std::string& text) {
     part.lower = rough::number_from(words[2], "--genes");
     part.upper = rough::number_from(words[3], "--genes");
     if (!(part.lower <= part.upper) || !std::isfinite(part.upper - part.lower))
-        rough::refuse(
-            "--genes: \"", text,
-            "\" is out of order; give a lower bound that is not above the upper one, at a finite distance");
+        rough::refuse("--genes: \"", text,
+                      "\" is out of order; give a lower bound that is not above the upper one, at a finite distance");
     if (words.size() == 5 && words[4] == "log") {
         part.is_log = true;
-        if (!(part.lower > 0))
-            rough::refuse("--genes: \"", text, "\" has no logarithm; give a lower bound above 0");
+        if (!(part.lower > 0)) rough::refuse("--genes: \"", text, "\" has no logarithm; give a lower bound above 0");
     } else if (words.size() == 5) {
         part.step = rough::number_from(words[4], "--genes");
         const double steps = (part.upper - part.lower) / part.step;
@@ -99,8 +94,7 @@ void take_search(const Settings& settings, OutsideSearch& search) {
                       " exclude each other; give one");
     const bool unlimited = settings.has("seconds") && !settings.given("evaluations");
     take(settings, bindings_of(search));
-    if (unlimited)
-        search.evaluations = std::numeric_limits<long>::max();
+    if (unlimited) search.evaluations = std::numeric_limits<long>::max();
 }
 
 std::vector<ga::Variable> range_of(const Genes& genes) {
@@ -110,8 +104,7 @@ std::vector<ga::Variable> range_of(const Genes& genes) {
         for (std::size_t i = 0; i < part.count; ++i) {
             const double half = part.upper > part.lower ? (part.is_whole ? 0.5 : part.step / 2) : 0;
             ga::Variable gene{range.size(), part.lower - half, part.upper + half};
-            if (part.is_log)
-                gene.lower = std::log(part.lower), gene.upper = std::log(part.upper);
+            if (part.is_log) gene.lower = std::log(part.lower), gene.upper = std::log(part.upper);
             gene.is_choice = part.is_whole && (!part.words.empty() || part.upper - part.lower < max_choices);
             range.push_back(gene);
         }
@@ -123,22 +116,18 @@ std::vector<double> rounded(const Genes& genes, std::vector<double> numbers) {
     for (const Genes::Part& part : genes.parts)
         for (std::size_t i = 0; i < part.count && g < numbers.size(); ++i, ++g) {
             double& number = numbers[g];
-            if (part.is_log)
-                number = std::clamp(std::exp(number), part.lower, part.upper);
+            if (part.is_log) number = std::clamp(std::exp(number), part.lower, part.upper);
             if (const double step = part.is_whole ? 1 : part.step; step > 0)
-                number =
-                    number >= part.lower // also if it is NaN
-                        ? std::min(part.lower + step * std::round((number - part.lower) / step), part.upper) +
-                              0.0 // no -0
-                        : part.lower;
+                number = number >= part.lower // also if it is NaN
+                             ? std::min(part.lower + step * std::round((number - part.lower) / step), part.upper) +
+                                   0.0 // no -0
+                             : part.lower;
         }
     return numbers;
 }
 
-std::vector<double> numbers_from(const Genes& genes, const std::vector<std::string>& values,
-                                 const std::string& where) {
-    if (values.size() != genes.count)
-        rough::refuse(where, ": ", values.size(), " genes; give ", genes.count);
+std::vector<double> numbers_from(const Genes& genes, const std::vector<std::string>& values, const std::string& where) {
+    if (values.size() != genes.count) rough::refuse(where, ": ", values.size(), " genes; give ", genes.count);
     const auto range = range_of(genes);
     std::vector<double> numbers;
     std::vector<char> seen(genes.count, 0);
@@ -146,8 +135,8 @@ std::vector<double> numbers_from(const Genes& genes, const std::vector<std::stri
         const std::string place = where + ", gene " + std::to_string(g + 1);
         const double value = rough::number_from(values[g], place);
         if (!(value >= lower && value <= upper) || (whole && value != std::round(value)))
-            rough::refuse(place, ": ", values[g], " is out of range (", whole ? "whole, " : "",
-                          ga::number(lower), " to ", ga::number(upper), ")");
+            rough::refuse(place, ": ", values[g], " is out of range (", whole ? "whole, " : "", ga::number(lower),
+                          " to ", ga::number(upper), ")");
         return value;
     };
     for (const Genes::Part& part : genes.parts)
@@ -159,8 +148,7 @@ std::vector<double> numbers_from(const Genes& genes, const std::vector<std::stri
                               boost::join(part.words, ", "));
             const double value = part.words.empty() ? number_at(g, part.lower, part.upper, part.is_whole)
                                                     : static_cast<double>(word - part.words.begin());
-            numbers.push_back(part.is_log ? std::clamp(std::log(value), range[g].lower, range[g].upper)
-                                          : value);
+            numbers.push_back(part.is_log ? std::clamp(std::log(value), range[g].lower, range[g].upper) : value);
         }
     while (numbers.size() < genes.count) {
         const bool bits = genes.kind == Genes::Kind::bits;
@@ -185,8 +173,7 @@ std::string genes_text(const Genes& genes, const std::vector<double>& numbers) {
         for (std::size_t i = 0; i < part.count && g < values.size(); ++i, ++g)
             add(part.words.empty() ? ga::number(values[g])
                                    : rough::json_text(part.words[static_cast<std::size_t>(values[g])], true));
-    for (; g < values.size(); ++g)
-        add(ga::number(values[g]));
+    for (; g < values.size(); ++g) add(ga::number(values[g]));
     return text + "]";
 }
 
@@ -195,8 +182,7 @@ Genes genes_from(const std::string& text) {
     Genes genes;
     if (words.size() == 2 && (words[0] == "bits" || words[0] == "permutation")) {
         genes.kind = words[0] == "bits" ? Genes::Kind::bits : Genes::Kind::permutation;
-        genes.count =
-            count_from(words[1], "--genes", genes.kind == Genes::Kind::permutation ? 2 : 1, max_genes);
+        genes.count = count_from(words[1], "--genes", genes.kind == Genes::Kind::permutation ? 2 : 1, max_genes);
         return genes;
     }
     genes.count = 0;
@@ -211,8 +197,7 @@ Genes genes_from(const std::string& text) {
 
 std::vector<std::string> objective_names(std::size_t count) {
     std::vector<std::string> names;
-    for (std::size_t k = 1; k <= count; ++k)
-        names.push_back("f" + std::to_string(k));
+    for (std::size_t k = 1; k <= count; ++k) names.push_back("f" + std::to_string(k));
     return names;
 }
 
@@ -229,8 +214,7 @@ ga::Variants outside_variants(const Genes& genes, std::size_t objectives) {
         return " | mutate " + ga::number(share / static_cast<double>(genes.count)) + method;
     };
     const bool tours = genes.kind == Genes::Kind::permutation, bits = genes.kind == Genes::Kind::bits;
-    const std::string varied = tours
-                                   ? "cross edge rate=0.5" + mutate(0.5, " reverse") + mutate(0.5, " or_opt")
+    const std::string varied = tours  ? "cross edge rate=0.5" + mutate(0.5, " reverse") + mutate(0.5, " or_opt")
                                : bits ? "cross uniform rate=0.9" + mutate(1, "")
                                       : "cross sbx rate=0.9" + mutate(1, " polynomial");
     const std::string pareto = "pareto " + boost::join(objective_names(objectives), " ");
@@ -243,8 +227,7 @@ ga::Variants outside_variants(const Genes& genes, std::size_t objectives) {
                           {"nsga3", front + "parents | directions 100 } | front"},
                           {"sms-emoa", front + "parents | hypervolume 100 } | front"}};
     if (genes.kind == Genes::Kind::numbers) {
-        const std::size_t individuals =
-            std::clamp<std::size_t>(18 * genes.count, 20, 2000); // Tanabe and Fukunaga
+        const std::size_t individuals = std::clamp<std::size_t>(18 * genes.count, 20, 2000); // Tanabe and Fukunaga
         const std::string loop = " | score | repeat 1000000000 { ";
         variants["bipop-cma-es"] = "sample 1" + loop + "cma-es | score }";
         variants["ipop-cma-es"] = "sample 1" + loop + "cma-es restarts=ipop sigma=0.5 | score }";

@@ -58,8 +58,7 @@ std::vector<double> rounded(const Genes& genes, std::vector<double> numbers);
 /// The genes in the search for the values that a user writes, the inverse of `rounded`. Bits are 0 or 1,
 /// words may be in quotes. Throws rough::InputError, which begins with `where`, on a wrong number of values
 /// and on a value of a wrong kind or out of bounds.
-std::vector<double> numbers_from(const Genes& genes, const std::vector<std::string>& values,
-                                 const std::string& where);
+std::vector<double> numbers_from(const Genes& genes, const std::vector<std::string>& values, const std::string& where);
 /// The number of individuals that a pipeline's leading `sample n` draws; 0 without one.
 std::size_t leading_sample(const std::string& pipeline);
 /// The genes as a JSON array, "[0.5,3,\"a\"]", with as many digits as are needed to read the same numbers.

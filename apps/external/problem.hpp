@@ -10,8 +10,7 @@ namespace app {
 template <class G>
 std::string genes_text(const G& genome) {
     std::string text;
-    for (const auto gene : genome)
-        text += (text.empty() ? "[" : ",") + ga::number(static_cast<double>(gene));
+    for (const auto gene : genome) text += (text.empty() ? "[" : ",") + ga::number(static_cast<double>(gene));
     return text + "]";
 }
 
@@ -29,13 +28,11 @@ struct OutsideProblem {
     std::function<std::vector<double>(const G&)> slopes = {};
     std::function<Evaluation(const G&)> answer = {}; ///< makes an evaluation; empty if an evaluator does
 
-    OutsideProblem(std::size_t genes, std::vector<ga::Variable> range_of_reals,
-                   const std::vector<bool>& minimise)
+    OutsideProblem(std::size_t genes, std::vector<ga::Variable> range_of_reals, const std::vector<bool>& minimise)
         : count(genes), range(std::move(range_of_reals)) {
         const auto names = objective_names(minimise.size());
         for (std::size_t k = 0; k < names.size(); ++k)
-            list.push_back(
-                {names[k], [k](const Evaluation& answer) { return answer.objectives.at(k); }, minimise[k]});
+            list.push_back({names[k], [k](const Evaluation& answer) { return answer.objectives.at(k); }, minimise[k]});
     }
     OutsideProblem(const Genes& of, const std::vector<bool>& minimise)
         : OutsideProblem(of.count, range_of(of), minimise) {
@@ -58,8 +55,7 @@ struct OutsideProblem {
     }
     bool valid(const G& genome) const {
         if constexpr (std::same_as<G, std::vector<double>>)
-            if (!std::ranges::all_of(genome, [](double gene) { return std::isfinite(gene); }))
-                return false;
+            if (!std::ranges::all_of(genome, [](double gene) { return std::isfinite(gene); })) return false;
         return genome.size() == count;
     }
     bool valid_outcome(const Evaluation& answer) const { return is_valid(answer, list.size()); }
@@ -120,8 +116,7 @@ template <class P>
 ga::Pipeline<P> stage_of(const OutsideSearch& search, std::size_t objectives,
                          ga::Registry<P> registry = ga::whole_vocabulary<P>()) {
     ga::Parser<P> parser(std::move(registry), outside_variants(search.genes, objectives));
-    return search.pipeline.empty() ? parser.variant(variant_of(search, objectives))
-                                   : parser.parse(search.pipeline);
+    return search.pipeline.empty() ? parser.variant(variant_of(search, objectives)) : parser.parse(search.pipeline);
 }
 
 /// The population that a search begins with, and the pipeline that runs on it. With given genomes, a leading

@@ -19,11 +19,10 @@ namespace {
 /// Starts a program that leads a group. It runs only after announce(process): if this process is killed
 /// before, the child ends. Returns 0 or an error number.
 template <class Announce>
-int spawn(pid_t& process, std::vector<std::string> words, int in, int out, int err,
-          const std::filesystem::path& folder, Announce announce) {
+int spawn(pid_t& process, std::vector<std::string> words, int in, int out, int err, const std::filesystem::path& folder,
+          Announce announce) {
     std::vector<char*> pointers;
-    for (std::string& word : words)
-        pointers.push_back(word.data());
+    for (std::string& word : words) pointers.push_back(word.data());
     pointers.push_back(nullptr);
     static std::mutex one_at_a_time; // no child holds the pipes of another
     const std::lock_guard lock(one_at_a_time);
@@ -48,12 +47,10 @@ int spawn(pid_t& process, std::vector<std::string> words, int in, int out, int e
         announce(process);
         [[maybe_unused]] const ssize_t told = write(start[1], "", 1);
         close(failure[1]); // so that nothing is read once the program runs
-        if (read(failure[0], &error, sizeof error) > 0)
-            waitpid(process, nullptr, 0);
+        if (read(failure[0], &error, sizeof error) > 0) waitpid(process, nullptr, 0);
         failure[1] = -1;
     }
-    for (const int end : {start[0], start[1], failure[0], failure[1]})
-        close(end);
+    for (const int end : {start[0], start[1], failure[0], failure[1]}) close(end);
     return error;
 }
 
@@ -79,8 +76,7 @@ void tell_supervisor(char sign, pid_t group) {
             nothing >= 0 && pipe2(ends.data(), O_CLOEXEC) == 0 &&
             spawn(process, {"/bin/sh", "-c", supervisor}, ends[0], nothing, nothing, {}, [](pid_t) {}) == 0;
         close(nothing);
-        if (!starts)
-            return -1;
+        if (!starts) return -1;
         close(ends[0]);
         return ends[1];
     }();
@@ -93,17 +89,15 @@ void tell_supervisor(char sign, pid_t group) {
 int start_process(pid_t& process, std::vector<std::string> words, int in, int out, int err,
                   const std::filesystem::path& folder) {
     tell_supervisor('-', 0); // starts it
-    const int error = spawn(process, std::move(words), in, out, err, folder,
-                            [](pid_t group) { tell_supervisor('+', group); });
-    if (error != 0 && process > 0)
-        tell_supervisor('-', process);
+    const int error =
+        spawn(process, std::move(words), in, out, err, folder, [](pid_t group) { tell_supervisor('+', group); });
+    if (error != 0 && process > 0) tell_supervisor('-', process);
     return error;
 }
 
 void end_group(pid_t process, int signal) {
     kill(-process, signal);
-    if (signal == SIGKILL)
-        tell_supervisor('-', process);
+    if (signal == SIGKILL) tell_supervisor('-', process);
 }
 
 bool process_ended_within(double seconds, pid_t process, int& status) {
@@ -113,8 +107,7 @@ bool process_ended_within(double seconds, pid_t process, int& status) {
             tell_supervisor('-', process);
             return true;
         }
-        if (clock.seconds() > seconds)
-            return false;
+        if (clock.seconds() > seconds) return false;
         const timespec pause{0, 1'000'000};
         nanosleep(&pause, nullptr);
     }
@@ -124,8 +117,7 @@ std::string last_line(const std::string& messages) {
     std::istringstream lines(messages);
     std::string line, last;
     while (std::getline(lines, line))
-        if (line.find_first_not_of(" ^\t\r") != std::string::npos)
-            last = line;
+        if (line.find_first_not_of(" ^\t\r") != std::string::npos) last = line;
     return last;
 }
 

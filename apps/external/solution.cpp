@@ -11,8 +11,7 @@ namespace app {
 using nlohmann::json;
 
 std::vector<double> violation_from(const json& answer) {
-    if (!answer.contains("violation"))
-        return {};
+    if (!answer.contains("violation")) return {};
     const json& violation = answer.at("violation");
     return violation.is_array() ? violation.get<std::vector<double>>() : std::vector{violation.get<double>()};
 }
@@ -27,14 +26,12 @@ bool is_valid(const Evaluation& answer, std::size_t objectives) {
 
 double violated(const Evaluation& answer) {
     double sum = 0;
-    for (const double each : answer.violation)
-        sum += std::max(0.0, each);
+    for (const double each : answer.violation) sum += std::max(0.0, each);
     return sum;
 }
 
 bool BestKnown::is_better(const Solution& a, const Solution& b) const {
-    if (violated(a.answer) != violated(b.answer))
-        return violated(a.answer) < violated(b.answer);
+    if (violated(a.answer) != violated(b.answer)) return violated(a.answer) < violated(b.answer);
     for (std::size_t k = 0; k < minimise.size(); ++k)
         if (const double x = a.answer.objectives[k], y = b.answer.objectives[k]; x != y)
             return minimise[k] ? x < y : x > y;
@@ -42,13 +39,11 @@ bool BestKnown::is_better(const Solution& a, const Solution& b) const {
 }
 
 bool BestKnown::dominates(const Evaluation& a, const Evaluation& b) const {
-    if (violated(a) != violated(b))
-        return violated(a) < violated(b);
+    if (violated(a) != violated(b)) return violated(a) < violated(b);
     bool better = false;
     for (std::size_t k = 0; k < minimise.size(); ++k) {
         const double x = a.objectives[k], y = b.objectives[k];
-        if (minimise[k] ? x > y : x < y)
-            return false;
+        if (minimise[k] ? x > y : x < y) return false;
         better |= x != y;
     }
     return better;
@@ -56,18 +51,15 @@ bool BestKnown::dominates(const Evaluation& a, const Evaluation& b) const {
 
 void BestKnown::take(const Solution& solution) {
     for (Solution& other : front_) {
-        if (dominates(other.answer, solution.answer))
-            return;
+        if (dominates(other.answer, solution.answer)) return;
         if (other.answer.objectives == solution.answer.objectives &&
             violated(other.answer) == violated(solution.answer)) {
-            if (is_better(solution, other))
-                other = solution;
+            if (is_better(solution, other)) other = solution;
             return;
         }
     }
     std::erase_if(front_, [&](const Solution& other) { return dominates(solution.answer, other.answer); });
-    const auto place =
-        std::ranges::find_if(front_, [&](const Solution& other) { return is_better(solution, other); });
+    const auto place = std::ranges::find_if(front_, [&](const Solution& other) { return is_better(solution, other); });
     front_.insert(place, solution);
 }
 

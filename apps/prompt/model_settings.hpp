@@ -45,10 +45,8 @@ Bindings with_bounds(Bindings bindings, Bounds& of, double min_gamma = 1.001) {
         bindings.end(),
         {{ga::number("hurst-from", ga::number(of.H_from), ga::above_zero, 10, "lower bound of H"), of.H_from},
          {ga::number("hurst-to", ga::number(of.H_to), ga::above_zero, 10, "upper bound of H"), of.H_to},
-         {ga::number("gamma-from", ga::number(of.gamma_from), min_gamma, 1000, "lower bound of gamma"),
-          of.gamma_from},
-         {ga::number("gamma-to", ga::number(of.gamma_to), min_gamma, 1000, "upper bound of gamma"),
-          of.gamma_to}});
+         {ga::number("gamma-from", ga::number(of.gamma_from), min_gamma, 1000, "lower bound of gamma"), of.gamma_from},
+         {ga::number("gamma-to", ga::number(of.gamma_to), min_gamma, 1000, "upper bound of gamma"), of.gamma_to}});
     return bindings;
 }
 
@@ -58,8 +56,7 @@ Setting accuracy_setting(const std::string& against);
 ///@{
 /// The complete model that the settings describe. Its grid is given, the default or that of a source;
 /// --nodes and --length may change it. Throws rough::InputError if the model has no solution.
-rough::Model model_from(const Settings& settings, const std::string& prefix = "",
-                        const rough::Grid& grid = {});
+rough::Model model_from(const Settings& settings, const std::string& prefix = "", const rough::Grid& grid = {});
 rough::Model model_from(const Settings& settings, const Source& source, const std::string& prefix = "");
 ///@}
 
@@ -109,8 +106,7 @@ rough::Model surface_model_from(const Settings& settings, const std::string& pre
 
 /// The map of the flag, without its form (--detrend, by default its plane) and the wavelengths that
 /// --lambda-s and --lambda-c remove. Missing points as by scan_from().
-rough::Map surface_from(const Settings& settings, const std::string& flag = "surface",
-                        bool keep_missing = false);
+rough::Map surface_from(const Settings& settings, const std::string& flag = "surface", bool keep_missing = false);
 
 /// The heights of --genome on the map of --nodes and --length, which is periodic or not.
 rough::Map sampled_from(const Settings& settings, bool periodic);

@@ -21,8 +21,7 @@ struct Setting {
     ga::Parameter takes = ga::word_list({}, {});
     std::vector<std::string> choices = {}; ///< allowed words; empty: any value that `takes` allows
     std::string alone = {};                ///< value of the flag if none follows it; "": one must follow
-    char between =
-        0; ///< separates several values: ',', 'x' of a pair along x and y, a line's end; 0: one value
+    char between = 0; ///< separates several values: ',', 'x' of a pair along x and y, a line's end; 0: one value
 
     Setting(std::string name, std::string fallback, std::string meaning, bool is_switch = false);
     Setting(const ga::Parameter& parameter); ///< one that ga::number or ga::whole describes
@@ -78,8 +77,7 @@ class Settings {
     /// get the place among the setting's choices.
     template <class Value>
     void take(const std::string& name, Value& value) const {
-        if (!has(name))
-            return;
+        if (!has(name)) return;
         if constexpr (std::is_same_v<Value, bool>)
             value = known_.at(name).is_switch ? is_on(name) : choice(name) > 0;
         else if constexpr (std::is_same_v<Value, std::string>)
@@ -114,8 +112,7 @@ class Settings {
         rough::refuse(place(name), ": ", problem...);
     }
     /// A copy with some values changed, or removed by "". `described` replaces the descriptions of settings.
-    Settings with(const std::map<std::string, std::string>& values,
-                  const std::vector<Setting>& described = {}) const;
+    Settings with(const std::map<std::string, std::string>& values, const std::vector<Setting>& described = {}) const;
     /// The given values by name.
     const std::map<std::string, std::string>& values() const { return given_; }
     /// The given names that begin with `prefix`, without it, each with its text unless that is empty:
@@ -171,8 +168,7 @@ void expect_none(const Settings& settings, const std::vector<std::string>& names
 /// Throws rough::InputError if NAME-from is above NAME-to for one of these names.
 void expect_in_order(const Settings& settings, const std::vector<std::string>& names);
 /// The one of these settings that is given. Throws rough::InputError, `what` first, unless exactly one is.
-std::string the_given(const Settings& settings, const std::vector<std::string>& names,
-                      const std::string& what);
+std::string the_given(const Settings& settings, const std::vector<std::string>& names, const std::string& what);
 /// The message of a rough::InputError, after the place of the setting whose value it is about, if there is
 /// one. "datum" is --datum, or model.datum of an experiment if `prefix` is "model.".
 std::string placed(const Settings& settings, const std::string& prefix, const rough::InputError& error);

@@ -23,7 +23,6 @@ std::vector<std::string> notes_on(const Settings& settings, const rough::Model& 
 /// The function that a formula describes. It has numbers, `x` (or `name`), + - * / ^, parentheses and pi. The
 /// functions are those of muParser, such as sqrt, exp, log (natural), log10, sin, tanh, abs, min and max.
 /// Throws rough::InputError that begins with `where` and names the column that it cannot read.
-std::function<double(double)> formula(const std::string& text, const std::string& name,
-                                      const std::string& where);
+std::function<double(double)> formula(const std::string& text, const std::string& name, const std::string& where);
 
 } // namespace app

@@ -23,8 +23,7 @@ std::atomic<bool> stands = false;
 
 /// Removes the line of progress, if there is one, before other output.
 void clear_progress() {
-    if (stands.exchange(false))
-        std::cerr << clear_line << std::flush;
+    if (stands.exchange(false)) std::cerr << clear_line << std::flush;
 }
 
 std::atomic<bool> asked_to_stop = false; // lock-free, so that a signal handler may set it
@@ -38,16 +37,14 @@ void ask(int signal) {
 /// Handles the signals that ask to stop, except those that are ignored.
 void handle(void (*handler)(int)) {
     for (const int signal : {SIGINT, SIGTERM, SIGHUP})
-        if (std::signal(signal, handler) == SIG_IGN)
-            std::signal(signal, SIG_IGN);
+        if (std::signal(signal, handler) == SIG_IGN) std::signal(signal, SIG_IGN);
 }
 
 } // namespace
 
 void parse_verbosity(std::vector<std::string>& words) {
     const bool quiet = std::erase(words, "--quiet") > 0, verbose = std::erase(words, "--verbose") > 0;
-    if (quiet && verbose)
-        rough::refuse("--quiet and --verbose given; give one of them");
+    if (quiet && verbose) rough::refuse("--quiet and --verbose given; give one of them");
     verbosity = quiet ? Verbosity::quiet : verbose ? Verbosity::verbose : Verbosity::plain;
 }
 
@@ -69,15 +66,13 @@ std::string printable(const std::string& text) {
 }
 
 void say(const std::string& remark) {
-    if (verbosity == Verbosity::quiet)
-        return;
+    if (verbosity == Verbosity::quiet) return;
     clear_progress();
     std::cout << printable(remark) << "\n";
 }
 
 void tell(const std::string& detail) {
-    if (verbosity == Verbosity::verbose)
-        say(detail);
+    if (verbosity == Verbosity::verbose) say(detail);
 }
 
 ProgressLine::ProgressLine() : terminal_(isatty(STDERR_FILENO) != 0 && verbosity != Verbosity::quiet) {}
@@ -87,8 +82,7 @@ ProgressLine::~ProgressLine() { clear_progress(); }
 void ProgressLine::show(const std::string& text) {
     const auto now = Clock::now();
     using namespace std::chrono_literals;
-    if (!terminal_ || now - start_ < 1s || (stands && now - last_ < 100ms))
-        return;
+    if (!terminal_ || now - start_ < 1s || (stands && now - last_ < 100ms)) return;
     const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(now - start_).count();
     std::cerr << clear_line << no_wrap << seconds << " s  " << printable(text) << wrap << std::flush;
     stands = true;

@@ -29,14 +29,12 @@ bool runs(const std::string& word) {
 /// A word as a cell, quoted if necessary.
 std::string cell_of(const std::string& given) {
     const std::string word = (runs(given) ? "'" : "") + given;
-    if (word == given && word.find_first_of(",\"\r\n") == std::string::npos)
-        return word;
+    if (word == given && word.find_first_of(",\"\r\n") == std::string::npos) return word;
     return '"' + boost::replace_all_copy(word, "\"", "\"\"") + '"';
 }
 
 void put_number(std::ostream& out, double number) {
-    if (!std::isnan(number))
-        out << number;
+    if (!std::isnan(number)) out << number;
 }
 
 /// The rows of columns of equal length as CSV, each behind `begin`.
@@ -45,8 +43,7 @@ std::string rows_text(const std::vector<Eigen::VectorXd>& columns, const std::st
     out.precision(17);
     for (Eigen::Index row = 0; row < columns.front().size(); ++row) {
         out << begin;
-        for (std::size_t c = 0; c < columns.size(); ++c)
-            put_number(out << (c ? "," : ""), columns[c][row]);
+        for (std::size_t c = 0; c < columns.size(); ++c) put_number(out << (c ? "," : ""), columns[c][row]);
         out << "\n";
     }
     return out.str();
@@ -56,16 +53,14 @@ std::string rows_text(const std::vector<Eigen::VectorXd>& columns, const std::st
 std::vector<Eigen::VectorXd> shown(std::vector<Eigen::VectorXd> columns, bool logarithmic) {
     constexpr Index max_rows = 4000;
     const Eigen::VectorXd x = columns[0];
-    if (x.size() <= max_rows)
-        return columns;
+    if (x.size() <= max_rows) return columns;
     std::vector<Index> rows;
     const double intervals = 0.5 * max_rows / static_cast<double>(columns.size() - 1);
     const auto along = [&](Index i) { return logarithmic ? std::log(x[i]) : x[i]; };
     const double from = along(0), length = along(x.size() - 1) - from;
     const auto interval = [&](Index i) { return std::floor((along(i) - from) / length * (intervals - 1)); };
     for (Index begin = 0, end = 0; begin < x.size(); begin = end) {
-        for (end = begin + 1; end < x.size() && interval(end) == interval(begin);)
-            ++end;
+        for (end = begin + 1; end < x.size() && interval(end) == interval(begin);) ++end;
         std::vector<Index> extremes;
         for (std::size_t line = 1; line < columns.size(); ++line)
             for (const double sign : {1, -1}) {
@@ -76,8 +71,7 @@ std::vector<Eigen::VectorXd> shown(std::vector<Eigen::VectorXd> columns, bool lo
         std::ranges::sort(extremes);
         rows.insert(rows.end(), extremes.begin(), std::unique(extremes.begin(), extremes.end()));
     }
-    for (Eigen::VectorXd& column : columns)
-        column = column(rows).eval();
+    for (Eigen::VectorXd& column : columns) column = column(rows).eval();
     return columns;
 }
 
@@ -87,8 +81,7 @@ Csv::Csv(const std::string& header, int digits) : names_(rough::listed(header)),
 
 void Csv::add(const nlohmann::json& row) {
     nlohmann::json& named = rows_.emplace_back(nlohmann::json::object());
-    for (const std::string& name : names_)
-        named[name] = row.value(name, nlohmann::json());
+    for (const std::string& name : names_) named[name] = row.value(name, nlohmann::json());
 }
 
 std::string Csv::text() const {
@@ -118,8 +111,7 @@ std::vector<std::vector<std::string>> csv_rows(const std::string& text) {
     bool quoted = false, begins = true;
     for (std::size_t i = 0; i < text.size(); ++i) {
         const char c = text[i];
-        if (begins)
-            rows.push_back({""});
+        if (begins) rows.push_back({""});
         begins = !quoted && c == '\n';
         if (c == '"' && quoted && i + 1 < text.size() && text[i + 1] == '"')
             rows.back().back() += text[++i];
@@ -141,17 +133,14 @@ std::string csv(const rough::Response& response, const rough::ResolutionBand* ba
     std::vector<std::string> header{"displacement_mm",  "pressure_MPa",
                                     "contact_fraction", "tangent_stiffness_MPa_per_mm",
                                     "kkt_residual",     "interface_stiffness_MPa_per_mm"};
-    std::vector<Eigen::VectorXd> all{response.displacement,     response.pressure,
-                                     response.contact_fraction, response.tangent_stiffness,
-                                     response.kkt_residual,     interface_stiffness(response)};
+    std::vector<Eigen::VectorXd> all{response.displacement,      response.pressure,     response.contact_fraction,
+                                     response.tangent_stiffness, response.kkt_residual, interface_stiffness(response)};
     if (band) {
-        header.insert(header.end(),
-                      {"contact_fraction_low", "contact_fraction_high", "tangent_stiffness_low_MPa_per_mm",
-                       "tangent_stiffness_high_MPa_per_mm"});
-        all.insert(all.end(), {band->contact_fraction_low, band->contact_fraction_high,
-                               band->tangent_stiffness_low, band->tangent_stiffness_high});
-        for (auto& column : all)
-            column.conservativeResizeLike(Eigen::VectorXd::Constant(response.steps(), NAN));
+        header.insert(header.end(), {"contact_fraction_low", "contact_fraction_high",
+                                     "tangent_stiffness_low_MPa_per_mm", "tangent_stiffness_high_MPa_per_mm"});
+        all.insert(all.end(), {band->contact_fraction_low, band->contact_fraction_high, band->tangent_stiffness_low,
+                               band->tangent_stiffness_high});
+        for (auto& column : all) column.conservativeResizeLike(Eigen::VectorXd::Constant(response.steps(), NAN));
     }
     return csv(header, all);
 }
@@ -166,13 +155,11 @@ std::string drawn_rows(const std::string& word, const std::vector<Eigen::VectorX
 }
 
 Eigen::VectorXd positions(const rough::Profile& profile) {
-    return profile.spacing *
-           Eigen::VectorXd::LinSpaced(profile.nodes(), 0, static_cast<double>(profile.nodes() - 1));
+    return profile.spacing * Eigen::VectorXd::LinSpaced(profile.nodes(), 0, static_cast<double>(profile.nodes() - 1));
 }
 
 std::string heights_csv(const rough::Profile& profile) {
-    return drawn_csv({"x_mm", "height_mm"},
-                     {positions(profile), profile.heights.array() - profile.heights.mean()});
+    return drawn_csv({"x_mm", "height_mm"}, {positions(profile), profile.heights.array() - profile.heights.mean()});
 }
 
 std::string map_csv(const rough::Profile& map, const std::vector<std::string>& names,

@@ -25,8 +25,7 @@ class Csv {
     /// Adds a row for each point of a curve: the keys, x and y.
     template <class... Keys>
     void points(const Eigen::VectorXd& x, const Eigen::VectorXd& y, const Keys&... keys) {
-        for (Eigen::Index i = 0; i < x.size(); ++i)
-            row(keys..., x[i], y[i]);
+        for (Eigen::Index i = 0; i < x.size(); ++i) row(keys..., x[i], y[i]);
     }
 
     /// Adds a row from an object of the header's names; a null or missing value is an empty cell.

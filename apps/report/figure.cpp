@@ -63,10 +63,9 @@ std::string figure_document(const FigureScript& figure) {
     const File in = memory_file("tables = ARG1\narg = ARG2\nfigure = ARG3\n" + figure.style + figure.script),
                out = memory_file(), err = memory_file();
     pid_t child = 0;
-    if (start_process(child,
-                      {"gnuplot", "-d", "-c", "/dev/stdin", "./" + figure.prefix, printable(figure.argument),
-                       figure.name},
-                      fileno(in.get()), fileno(out.get()), fileno(err.get()), figure.folder) != 0)
+    if (start_process(
+            child, {"gnuplot", "-d", "-c", "/dev/stdin", "./" + figure.prefix, printable(figure.argument), figure.name},
+            fileno(in.get()), fileno(out.get()), fileno(err.get()), figure.folder) != 0)
         throw failure("it was not found; install the Debian package gnuplot-nox");
     int status = 0;
     if (!process_ended_within(figure.seconds, child, status)) {
@@ -74,11 +73,9 @@ std::string figure_document(const FigureScript& figure) {
         waitpid(child, &status, 0);
         throw failure("it did not end in time");
     }
-    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
-        throw failure(last_line(content_of(err)));
+    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) throw failure(last_line(content_of(err)));
     const std::string pictures = content_of(out);
-    if (pictures.find("<svg") == std::string::npos)
-        throw failure("");
+    if (pictures.find("<svg") == std::string::npos) throw failure("");
     return pictures;
 }
 
@@ -91,8 +88,7 @@ std::string figure_svg(const FigureScript& figure) {
     }
     svg.erase(0, svg.find("<svg"));
     svg.insert(4, " role=\"img\" aria-label=\"" + html_escape(description_of(figure.script)) + "\"");
-    for (const auto& [written, variable] : colours)
-        boost::replace_all(svg, written, variable);
+    for (const auto& [written, variable] : colours) boost::replace_all(svg, written, variable);
     // The markers that gnuplot defines have the same ids in every picture.
     for (const std::string begin : {"id='", "#", "id=\""})
         for (const char* const marker : {"gp", "gnuplot_canvas", "textbox", "greybox", "hypertextBox"})

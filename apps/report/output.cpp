@@ -27,8 +27,7 @@ namespace {
 
 bool is_among(const fs::path& file, const std::vector<fs::path>& files) {
     std::error_code error;
-    return std::ranges::any_of(files,
-                               [&](const fs::path& other) { return fs::equivalent(file, other, error); });
+    return std::ranges::any_of(files, [&](const fs::path& other) { return fs::equivalent(file, other, error); });
 }
 
 /// The files in the folder that have these names.
@@ -43,15 +42,13 @@ std::vector<fs::path> present(const fs::path& folder, const std::vector<std::str
 
 } // namespace
 
-OutputFolder::OutputFolder(const std::string& given, const std::string& name, const Writing& writing)
-    : OutputFolder() {
+OutputFolder::OutputFolder(const std::string& given, const std::string& name, const Writing& writing) : OutputFolder() {
     make(given, name);
     lock();
     expect_free(writing);
     std::error_code error;
     for (const fs::path& file : present(path_, writing.names))
-        if (fs::is_symlink(file, error))
-            fs::remove(file, error);
+        if (fs::is_symlink(file, error)) fs::remove(file, error);
 }
 
 void OutputFolder::expect_free(const Writing& writing) const {
@@ -60,10 +57,8 @@ void OutputFolder::expect_free(const Writing& writing) const {
         if (is_among(file, writing.inputs))
             refuse("--out: ", file.string(), " is read here and would be overwritten; choose another folder");
         if (fs::is_symlink(file, error) && !writing.force)
-            refuse("--out: ", file.string(),
-                   " is a symbolic link; choose another folder, or remove it with --force");
-        if (writing.force || writing.resume)
-            continue;
+            refuse("--out: ", file.string(), " is a symbolic link; choose another folder, or remove it with --force");
+        if (writing.force || writing.resume) continue;
         if (file.stem() == "checkpoint" || file.stem() == "checkpoints")
             refuse("--out: ", path_.string(),
                    " holds an interrupted run; set --resume, choose another folder or set --force");
@@ -77,8 +72,7 @@ void OutputFolder::make(const std::string& given, const std::string& name) {
     const auto make_all = [&](const fs::path& folder) {
         fs::path path;
         for (const fs::path& part : folder)
-            if (path /= part; !part.empty() && fs::create_directory(path, error))
-                made_.insert(made_.begin(), path);
+            if (path /= part; !part.empty() && fs::create_directory(path, error)) made_.insert(made_.begin(), path);
     };
     if (!given.empty()) {
         path_ = given;
@@ -91,8 +85,7 @@ void OutputFolder::make(const std::string& given, const std::string& name) {
         path_ = fs::path("out") / name;
         for (int number = 2; !fs::create_directory(path_, error) && !error; ++number)
             path_ = "out/" + name + "-" + std::to_string(number);
-        if (!error)
-            made_.insert(made_.begin(), path_);
+        if (!error) made_.insert(made_.begin(), path_);
     }
     if (error || !fs::is_directory(path_, error))
         refuse("--out: ", path_.string(), " cannot be made; choose another folder");
@@ -107,10 +100,8 @@ void OutputFolder::lock() {
         return locked_ >= 0 && flock(locked_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
     };
     // A run that was just killed may take a moment to end.
-    for (int tries = 0; tries < 40 && is_taken(); ++tries)
-        std::this_thread::sleep_for(std::chrono::milliseconds(50));
-    if (is_taken())
-        refuse("--out: ", path_.string(), " is in use by another run; choose another folder, or wait");
+    for (int tries = 0; tries < 40 && is_taken(); ++tries) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    if (is_taken()) refuse("--out: ", path_.string(), " is in use by another run; choose another folder, or wait");
     if (locked_ >= 0)
         if (::access("/proc/self/fd", X_OK) == 0) // without /proc, as in a bare chroot, by its name
             ga::hold_folder(path_, locked_);
@@ -118,26 +109,22 @@ void OutputFolder::lock() {
 
 OutputFolder::~OutputFolder() {
     ga::release_folder(path_);
-    if (locked_ >= 0)
-        close(locked_);
+    if (locked_ >= 0) close(locked_);
     std::error_code not_empty;
-    for (const fs::path& folder : made_)
-        fs::remove(folder, not_empty);
+    for (const fs::path& folder : made_) fs::remove(folder, not_empty);
 }
 
 const fs::path& OutputFolder::restored() const {
     struct stat held {};
     struct stat there {};
     std::error_code error;
-    if (fstat(locked_, &held) != 0)
-        return path_;
+    if (fstat(locked_, &held) != 0) return path_;
     if (held.st_nlink == 0) {
         fs::create_directories(path_, error);
         const int fresh = open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
         if (fresh >= 0 && dup3(fresh, locked_, O_CLOEXEC) >= 0 && close(fresh) == 0)
             say("note: " + path_.string() + " was removed during the run; the results are in a new one");
-    } else if (stat(path_.c_str(), &there) != 0 || there.st_ino != held.st_ino ||
-               there.st_dev != held.st_dev) {
+    } else if (stat(path_.c_str(), &there) != 0 || there.st_ino != held.st_ino || there.st_dev != held.st_dev) {
         say("note: " + path_.string() + " was moved during the run; the results are in " +
             fs::read_symlink("/proc/self/fd/" + std::to_string(locked_), error).string());
     }
@@ -157,8 +144,8 @@ nlohmann::json inputs_json(const std::vector<fs::path>& files) {
         std::string prints;
         while (in.read(piece.data(), static_cast<std::streamsize>(piece.size())), in.gcount() > 0)
             prints += hexadecimal(ga::fingerprint(piece.data(), static_cast<std::size_t>(in.gcount())));
-        inputs.push_back({{"file", file.string()},
-                          {"fingerprint", hexadecimal(ga::fingerprint(std::string_view(prints)))}});
+        inputs.push_back(
+            {{"file", file.string()}, {"fingerprint", hexadecimal(ga::fingerprint(std::string_view(prints)))}});
     }
     return inputs;
 }
@@ -172,19 +159,16 @@ std::string key_of(const nlohmann::json& inputs) {
 
 bool resumes(const Settings& settings) {
     const bool resume = settings.is_on("resume");
-    if (resume && !settings.has("out"))
-        refuse("--resume: given without --out; name the folder of the interrupted run");
+    if (resume && !settings.has("out")) refuse("--resume: given without --out; name the folder of the interrupted run");
     return resume;
 }
 
 bool says_finished(const fs::path& folder, const std::string& checkpoint, const nlohmann::json& inputs) {
     const fs::path file = folder / "result.json";
-    if (!fs::exists(file) || fs::exists(folder / checkpoint))
-        return false;
+    if (!fs::exists(file) || fs::exists(folder / checkpoint)) return false;
     const auto result = rough::parsed_json(rough::read_whole(file), file.string());
     if (!result.is_object() || key_of(result.value("inputs", nlohmann::json())) != key_of(inputs))
-        refuse(file.string(),
-               ": made from other input files; give the same ones, or start again with --force");
+        refuse(file.string(), ": made from other input files; give the same ones, or start again with --force");
     say(folder.string() + ": the run is finished and needs no --resume; --force restarts it");
     return true;
 }
@@ -192,8 +176,7 @@ bool says_finished(const fs::path& folder, const std::string& checkpoint, const 
 double checkpoint_interval() {
     const char* const given = std::getenv("RUGOSA_CHECKPOINTS");
     const double seconds = given ? rough::number_from(given, "RUGOSA_CHECKPOINTS") : 1;
-    if (seconds < 0)
-        refuse("RUGOSA_CHECKPOINTS: '", given, "' given; give 0 seconds or more");
+    if (seconds < 0) refuse("RUGOSA_CHECKPOINTS: '", given, "' given; give 0 seconds or more");
     return seconds;
 }
 
@@ -208,8 +191,7 @@ void write_json(const fs::path& file, const nlohmann::json& content) {
 
 fs::path expect_writable(const fs::path& file, const Settings& settings, const std::string& flag) {
     std::error_code error;
-    if (fs::is_directory(file, error))
-        refuse(flag, ": ", file.string(), " is a folder; give the name of a file");
+    if (fs::is_directory(file, error)) refuse(flag, ": ", file.string(), " is a folder; give the name of a file");
     if (is_among(file, settings.files()))
         refuse(flag, ": ", file.string(), " is read here and would be overwritten; choose another name");
     if (fs::is_regular_file(file, error) && !settings.is_on("force"))

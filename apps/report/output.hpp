@@ -50,8 +50,7 @@ bool resumes(const Settings& settings);
 
 /// Whether a folder holds a finished result, with no checkpoint to resume from. Prints a line if it does.
 /// Throws rough::InputError if the result was made from other inputs.
-bool says_finished(const std::filesystem::path& folder, const std::string& checkpoint,
-                   const nlohmann::json& inputs);
+bool says_finished(const std::filesystem::path& folder, const std::string& checkpoint, const nlohmann::json& inputs);
 
 /// Minimum number of seconds between two checkpoints of a run: 1, or the variable RUGOSA_CHECKPOINTS of the
 /// environment.

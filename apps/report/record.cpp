@@ -6,8 +6,8 @@
 namespace rough {
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PlacedWave, series, n, wave_length_mm, amplitude_mm)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(AccuracyReport, resolved_nodes, grids, tolerance, seconds, estimated_error,
-                                   grid_error, step_error, solver_error, area_error, tangent_error, by_line,
-                                   line_error, aspect_ratio)
+                                   grid_error, step_error, solver_error, area_error, tangent_error, by_line, line_error,
+                                   aspect_ratio)
 } // namespace rough
 
 namespace app {
@@ -38,14 +38,11 @@ namespace {
 
 json variant_json(const VariantRun& variant, const rough::Model& model) {
     json stages = variant.stages;
-    for (json& stage : stages)
-        stage.erase("spent"), stage.erase("derived");
+    for (json& stage : stages) stage.erase("spent"), stage.erase("derived");
     json result = variant;
-    result.update({{"genome", genome_to_json(variant.answer.genome)},
-                   {"stages", std::move(stages)},
-                   {"notes", variant.notes}});
-    if (!variant.pipeline.empty())
-        result["pipeline"] = variant.pipeline;
+    result.update(
+        {{"genome", genome_to_json(variant.answer.genome)}, {"stages", std::move(stages)}, {"notes", variant.notes}});
+    if (!variant.pipeline.empty()) result["pipeline"] = variant.pipeline;
     if (model.body.kernel == rough::Kernel::free && !model.grid.is_2d())
         for (const double stiffness : variant.answer.response.tangent_stiffness)
             result["tangent_stiffness_per_ln_datum_MPa_per_mm"].push_back(
@@ -55,8 +52,8 @@ json variant_json(const VariantRun& variant, const rough::Model& model) {
 
 } // namespace
 
-VariantRun variant_run(const std::string& name, const rough::SearchResult& found,
-                       std::vector<StageRecord> stages, double seconds) {
+VariantRun variant_run(const std::string& name, const rough::SearchResult& found, std::vector<StageRecord> stages,
+                       double seconds) {
     return {.name = name,
             .pipeline = found.pipeline,
             .stages = std::move(stages),
@@ -85,8 +82,7 @@ json model_json(const rough::Model& model) {
         result["length_mm"] = {model.grid.length, model.grid.width};
     } else if (model.body.kernel == rough::Kernel::free)
         result["datum_mm"] = *model.body.datum;
-    if (model.body.kernel == rough::Kernel::strip)
-        result["strip_width_mm"] = *model.body.strip_width;
+    if (model.body.kernel == rough::Kernel::strip) result["strip_width_mm"] = *model.body.strip_width;
     if (const rough::Layering& layering = model.body.layering; !layering.layers.empty()) {
         result["layers"] = json::array();
         for (const rough::Layer& layer : layering.layers)
@@ -103,8 +99,7 @@ json target_json(const rough::Target& target) {
     json points = json::array();
     for (rough::Index k = 0; k < target.points(); ++k) {
         points.push_back({{columns.x, target.x[k]}, {columns.y, target.y[k]}});
-        if (target.has_band())
-            points.back()["lower"] = target.lower[k], points.back()["upper"] = target.upper[k];
+        if (target.has_band()) points.back()["lower"] = target.lower[k], points.back()["upper"] = target.upper[k];
     }
     return {{"name", target.name}, {"points", std::move(points)}};
 }
@@ -117,15 +112,13 @@ json origin_json(const Origin& origin) {
     return result;
 }
 
-json result_json(const Origin& origin, const rough::DesignSetup& setup,
-                 const std::vector<VariantRun>& variants) {
+json result_json(const Origin& origin, const rough::DesignSetup& setup, const std::vector<VariantRun>& variants) {
     json result = model_json(setup.model);
     result.update(origin_json(origin));
     result["max_pressure_MPa"] = setup.max_pressure ? json(*setup.max_pressure) : json();
     result["target"] = target_json(setup.targets.front());
     result["variants"] = json::object();
-    for (const VariantRun& variant : variants)
-        result["variants"][variant.name] = variant_json(variant, setup.model);
+    for (const VariantRun& variant : variants) result["variants"][variant.name] = variant_json(variant, setup.model);
     return result;
 }
 

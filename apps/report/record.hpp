@@ -41,9 +41,8 @@ struct Candidate {
 struct StageRecord {
     std::string path; ///< e.g. "sog/refine.2"
     std::vector<Candidate> candidates;
-    double spent = 0; ///< price of the run so far, in contact curves on its grid in its load steps
-    bool derived =
-        false; ///< whether it is part of a stage under a derived problem, which a resumed run repeats
+    double spent = 0;     ///< price of the run so far, in contact curves on its grid in its load steps
+    bool derived = false; ///< whether it is part of a stage under a derived problem, which a resumed run repeats
 };
 
 /// The run of one variant.
@@ -68,25 +67,22 @@ constexpr std::size_t max_candidates = 200000;
 /// An observer that records the candidates of every stage, with the problem's first objective as similarity.
 template <class G = rough::Genome>
 ga::Observer<G> recorder(std::vector<StageRecord>& stages) {
-    return [&stages, counted = std::size_t{0},
-            candidates = std::size_t{0}](const ga::Event<G>& event) mutable {
+    return [&stages, counted = std::size_t{0}, candidates = std::size_t{0}](const ga::Event<G>& event) mutable {
         while (counted == 0 && !stages.empty() && stages.back().derived) // its stage was interrupted
             stages.pop_back();
         StageRecord record{event.path, {}, event.counters.price, event.derived};
         for (const auto& individual : event.population) {
             const bool scored = individual.fitness.known() && individual.fitness.objective() == "similarity";
-            record.candidates.push_back(
-                {individual.identity,
-                 {individual.parents.begin(), individual.parents.end()},
-                 scored ? individual.value() : std::numeric_limits<double>::quiet_NaN()});
+            record.candidates.push_back({individual.identity,
+                                         {individual.parents.begin(), individual.parents.end()},
+                                         scored ? individual.value() : std::numeric_limits<double>::quiet_NaN()});
         }
         for (; counted < stages.size(); ++counted) // one more, or those of a resumed run
             candidates += stages[counted].candidates.size();
         const auto last = candidates < max_candidates
                               ? stages.rend()
-                              : std::find_if(stages.rbegin(), stages.rend(), [&](const StageRecord& each) {
-                                    return each.path == event.path;
-                                });
+                              : std::find_if(stages.rbegin(), stages.rend(),
+                                             [&](const StageRecord& each) { return each.path == event.path; });
         if (last == stages.rend())
             stages.push_back(std::move(record));
         else
@@ -100,14 +96,14 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Candidate, id, parents, similarity)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StageRecord, path, candidates, spent, derived)
 ///@}
 /// The similarities and the cost of a run, as in result.json.
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(VariantRun, similarity, similarity_refined, similarity_worst, seconds,
-                                   curves, gradients, price)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(VariantRun, similarity, similarity_refined, similarity_worst, seconds, curves,
+                                   gradients, price)
 /// The keys of origin_json() that a run knows.
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Origin, kind, command, seed, threads, inputs)
 
 /// The record of a search under a name, without the response of its answer.
-VariantRun variant_run(const std::string& name, const rough::SearchResult& found,
-                       std::vector<StageRecord> stages, double seconds);
+VariantRun variant_run(const std::string& name, const rough::SearchResult& found, std::vector<StageRecord> stages,
+                       double seconds);
 
 /// The model: grid, body, load steps.
 nlohmann::json model_json(const rough::Model& model);

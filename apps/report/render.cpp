@@ -33,8 +33,7 @@ constexpr std::size_t max_shown = 150'000;
 std::size_t count_values(const json& value) {
     std::size_t count = 1;
     if (value.is_structured())
-        for (const json& one : value)
-            count += count_values(one);
+        for (const json& one : value) count += count_values(one);
     return count;
 }
 
@@ -43,8 +42,7 @@ std::size_t count_values(const json& value) {
 data mustache_data(const json& value) {
     if (value.is_object()) {
         data object(data::type::object);
-        for (const auto& [key, one] : value.items())
-            object.set(key, mustache_data(one));
+        for (const auto& [key, one] : value.items()) object.set(key, mustache_data(one));
         if (holds_objects(value)) {
             data items(data::type::list);
             for (const auto& [key, one] : value.items()) {
@@ -61,20 +59,15 @@ data mustache_data(const json& value) {
         data list(data::type::list);
         for (const json& one : value) {
             data item = mustache_data(one);
-            if (item.is_object() && !item.get("row"))
-                item.set("row", std::to_string(1 + list.list_value().size()));
-            if (item.is_object())
-                item.set("more", list.list_value().size() + 1 < value.size());
+            if (item.is_object() && !item.get("row")) item.set("row", std::to_string(1 + list.list_value().size()));
+            if (item.is_object()) item.set("more", list.list_value().size() + 1 < value.size());
             list << item;
         }
         return list;
     }
-    if (value.is_number_float())
-        return number_mark + rough::json_text(value, true);
-    if (value.is_string() && !value.get_ref<const std::string&>().empty())
-        return value.get<std::string>();
-    return value.is_number() ? data(rough::json_text(value, true))
-                             : data(value.is_boolean() && value.get<bool>());
+    if (value.is_number_float()) return number_mark + rough::json_text(value, true);
+    if (value.is_string() && !value.get_ref<const std::string&>().empty()) return value.get<std::string>();
+    return value.is_number() ? data(rough::json_text(value, true)) : data(value.is_boolean() && value.get<bool>());
 }
 
 std::optional<double> number_in(const std::string& text) {
@@ -82,8 +75,7 @@ std::optional<double> number_in(const std::string& text) {
     const char* const end = text.data() + text.size();
     double value = 0;
     const auto parsed = std::from_chars(begin, end, value);
-    return parsed.ec == std::errc() && parsed.ptr == end && begin != end ? std::optional(value)
-                                                                         : std::nullopt;
+    return parsed.ec == std::errc() && parsed.ptr == end && begin != end ? std::optional(value) : std::nullopt;
 }
 
 /// A table as a list of rows; whole numbers stay as written.
@@ -132,8 +124,7 @@ FigureScript figure_script(const std::string& figure, const std::string& name, c
 double argument_of(const std::string& filter, const std::string& argument, double from, double to) {
     const auto number = number_in(argument);
     if (!number || *number < from || *number > to)
-        rough::refuse("report: filter '", filter,
-                      "' of a template; use a filter of the reference, with a number",
+        rough::refuse("report: filter '", filter, "' of a template; use a filter of the reference, with a number",
                       std::isinf(to) ? "" : " from 1 to 17");
     return *number;
 }
@@ -169,27 +160,22 @@ class Context : public kainjow::mustache::context<std::string> {
                             : key.starts_with("tables.") ? table(key.substr(7))
                                                          : plain(key);
         if (!value) // a key of null is null
-            if (const data* const of = plain(key.substr(0, key.rfind('.'))); of && of->is_false())
-                value = of;
+            if (const data* const of = plain(key.substr(0, key.rfind('.'))); of && of->is_false()) value = of;
         if (!value) {
-            if (rendering_.missing)
-                rendering_.missing->insert(name);
+            if (rendering_.missing) rendering_.missing->insert(name);
             return nullptr;
         }
-        if (filter == "items")
-            return value->get("|items");
-        if (filter == "some")
-            return value->is_false() || value->is_empty_list() ? nullptr : kept(data(true));
-        if (filter == "count")
-            return kept(data(std::to_string(value->is_list() ? value->list_value().size() : 1)));
+        if (filter == "items") return value->get("|items");
+        if (filter == "some") return value->is_false() || value->is_empty_list() ? nullptr : kept(data(true));
+        if (filter == "count") return kept(data(std::to_string(value->is_list() ? value->list_value().size() : 1)));
         if (filter == "by") {
             std::string sides;
             for (const data& side : value->is_list() ? value->list_value() : kainjow::mustache::list{*value})
                 if (side.is_string())
-                    sides += (sides.empty() ? "" : " x ") +
-                             filtered(side.string_value(),
-                                      side.string_value().starts_with(number_mark) ? "brief:6" : "")
-                                 .string_value();
+                    sides +=
+                        (sides.empty() ? "" : " x ") +
+                        filtered(side.string_value(), side.string_value().starts_with(number_mark) ? "brief:6" : "")
+                            .string_value();
             return kept(data(sides));
         }
         return value->is_string() ? kept(filtered(value->string_value(), filter)) : value;
@@ -215,17 +201,14 @@ class Context : public kainjow::mustache::context<std::string> {
     }
     static data shown(const json& value, const std::string& name) {
         if (count_values(value) > max_shown)
-            rough::refuse("report: ", name, " has more than ", max_shown,
-                          " values; show fewer in the template");
+            rough::refuse("report: ", name, " has more than ", max_shown, " values; show fewer in the template");
         return mustache_data(value);
     }
 
     const data* table(const std::string& name) const {
-        if (const auto known = tables_.find(name); known != tables_.end())
-            return known->second;
+        if (const auto known = tables_.find(name); known != tables_.end()) return known->second;
         const auto file = source_.folder / (source_.prefix + name + ".csv");
-        return tables_[name] =
-                   std::filesystem::exists(file) ? kept(shown(table_json(file), name + ".csv")) : nullptr;
+        return tables_[name] = std::filesystem::exists(file) ? kept(shown(table_json(file), name + ".csv")) : nullptr;
     }
 
     const data* figure(const std::string& name) const {
@@ -235,8 +218,7 @@ class Context : public kainjow::mustache::context<std::string> {
             const data* const value = get(name.substr(at + 1));
             shown = name.substr(0, at) + (value && value->is_string() ? value->string_value() : "");
         }
-        FigureScript script =
-            figure_script(shown, "figure" + std::to_string(++figures_), source_, rendering_);
+        FigureScript script = figure_script(shown, "figure" + std::to_string(++figures_), source_, rendering_);
         script.seconds -= clock_.seconds();
         return kept(data(rendering_.seconds > 0 ? figure_svg(script) : ""));
     }
@@ -244,13 +226,10 @@ class Context : public kainjow::mustache::context<std::string> {
     static data filtered(const std::string& text, const std::string& filter) {
         const std::string word = filter.substr(0, filter.find(':'));
         const std::string argument = word == filter ? "" : filter.substr(word.size() + 1);
-        if (word == "is")
-            return ("," + argument + ",").find("," + text + ",") != std::string::npos;
-        if (word == "address")
-            return address(text);
+        if (word == "is") return ("," + argument + ",").find("," + text + ",") != std::string::npos;
+        if (word == "address") return address(text);
         const auto number = number_in(text);
-        if (!number || (filter.empty() && text.front() != number_mark))
-            return text;
+        if (!number || (filter.empty() && text.front() != number_mark)) return text;
         const auto digits = [&](int usual) {
             return argument.empty() ? usual : static_cast<int>(argument_of(filter, argument, 1, 17));
         };
@@ -261,16 +240,11 @@ class Context : public kainjow::mustache::context<std::string> {
             const double limit = argument_of(filter, argument, -HUGE_VAL, HUGE_VAL);
             return word == "above" ? *number > limit : *number < limit;
         }
-        if (word == "length")
-            return in_unit(length_unit(*number));
-        if (word == "pressure")
-            return in_unit(pressure_unit(*number));
-        if (word == "error")
-            return percent(1 - *number, digits(2));
-        if (word == "percent")
-            return percent(*number, digits(3));
-        if (word == "brief")
-            return brief(*number, digits(2));
+        if (word == "length") return in_unit(length_unit(*number));
+        if (word == "pressure") return in_unit(pressure_unit(*number));
+        if (word == "error") return percent(1 - *number, digits(2));
+        if (word == "percent") return percent(*number, digits(3));
+        if (word == "brief") return brief(*number, digits(2));
         return readable(*number, word.empty() ? 3 : static_cast<int>(argument_of(filter, word, 1, 17)));
     }
 
@@ -288,8 +262,7 @@ std::string rendered(const std::string& name, kainjow::mustache::basic_context<s
                      const Rendering& rendering) {
     kainjow::mustache::mustache page(file_text(name, rendering));
     const std::string text = page.is_valid() ? page.render(context) : "";
-    if (!page.is_valid())
-        rough::refuse(name, ": ", page.error_message(), "; correct the template");
+    if (!page.is_valid()) rough::refuse(name, ": ", page.error_message(), "; correct the template");
     return text;
 }
 
@@ -298,10 +271,9 @@ json sections_of(const std::string& body) {
     json sections = json::array();
     const std::string begin = "<h2 id=\"";
     for (std::size_t at = body.find(begin); at != std::string::npos; at = body.find(begin, at + 1)) {
-        const std::size_t id = at + begin.size(), quote = body.find('"', id),
-                          text = body.find('>', quote) + 1;
-        sections.push_back({{"id", body.substr(id, quote - id)},
-                            {"heading", body.substr(text, body.find("</h2>", text) - text)}});
+        const std::size_t id = at + begin.size(), quote = body.find('"', id), text = body.find('>', quote) + 1;
+        sections.push_back(
+            {{"id", body.substr(id, quote - id)}, {"heading", body.substr(text, body.find("</h2>", text) - text)}});
     }
     return sections;
 }
@@ -321,13 +293,12 @@ std::string render(const PageSource& source, const Rendering& rendering) {
     const std::string body = rendered(kind + ".mustache", context, rendering);
     // The contents stand between the head of the page and its first section.
     const std::size_t title = body.find("<h1>"), first = std::min(body.find("<h2"), body.size());
-    const json layout = {{"title", title == std::string::npos
-                                       ? kind
-                                       : body.substr(title + 4, body.find("</h1>", title) - title - 4)},
-                         {"sections", sections_of(body)},
-                         {"nodes_on_edges", has_nodes_on_edges(source.values)},
-                         {"head", body.substr(0, first)},
-                         {"body", body.substr(first)}};
+    const json layout = {
+        {"title", title == std::string::npos ? kind : body.substr(title + 4, body.find("</h1>", title) - title - 4)},
+        {"sections", sections_of(body)},
+        {"nodes_on_edges", has_nodes_on_edges(source.values)},
+        {"head", body.substr(0, first)},
+        {"body", body.substr(first)}};
     Context around(layout, source, rendering);
     return rendered("layout.mustache", around, rendering);
 }
@@ -340,10 +311,9 @@ PageSource page_source(const std::filesystem::path& place) {
     const bool is_file = std::filesystem::is_regular_file(place);
     std::filesystem::path file = is_file ? place : place / "result.json";
     for (const char* name : {"profile.json", "surface.json"})
-        if (!std::filesystem::exists(file) && std::filesystem::exists(place / name))
-            file = place / name;
-    PageSource source{rough::parsed_json(rough::read_whole(file), file.string()),
-                      is_file ? place.parent_path() : place, is_file ? place.stem().string() + "-" : ""};
+        if (!std::filesystem::exists(file) && std::filesystem::exists(place / name)) file = place / name;
+    PageSource source{rough::parsed_json(rough::read_whole(file), file.string()), is_file ? place.parent_path() : place,
+                      is_file ? place.stem().string() + "-" : ""};
     const json kind = source.values.is_object() ? source.values.value("kind", json()) : json();
     if (!kind.is_string() ||
         kind.get<std::string>().find_first_not_of("abcdefghijklmnopqrstuvwxyz-") != std::string::npos)
@@ -352,8 +322,7 @@ PageSource page_source(const std::filesystem::path& place) {
 }
 
 std::filesystem::path page_of(const PageSource& source) {
-    if (!source.prefix.empty())
-        return source.folder / (source.prefix.substr(0, source.prefix.size() - 1) + ".html");
+    if (!source.prefix.empty()) return source.folder / (source.prefix.substr(0, source.prefix.size() - 1) + ".html");
     const std::string kind = source.values["kind"];
     return source.folder / ((kind == "chart" || kind == "stability" ? kind : "report") + ".html");
 }

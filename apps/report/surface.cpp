@@ -19,9 +19,7 @@ constexpr rough::Index max_stl_nodes = 1'000'000, max_3mf_nodes = 100'000;
 constexpr double rounding = 1e-9;
 constexpr double max_step = 3; ///< step at the ends of a periodic surface, over that from node to node
 
-std::string nodes_in_words(rough::Index nodes) {
-    return std::to_string(nodes) + (nodes == 1 ? " node" : " nodes");
-}
+std::string nodes_in_words(rough::Index nodes) { return std::to_string(nodes) + (nodes == 1 ? " node" : " nodes"); }
 
 std::string step_note(const std::string& ends, double jump, double range) {
     return "note: " + ends + " differ by " + readable(jump) + " mm, " + percent(jump / range) +
@@ -32,8 +30,7 @@ std::string step_note(const std::string& ends, double jump, double range) {
 
 std::string jump_note(const rough::Genome& genome, double length, double range) {
     const double jump = std::abs(jump_at_ends(genome, length));
-    if (!(jump > rounding * range))
-        return "";
+    if (!(jump > rounding * range)) return "";
     return step_note("the profile's ends", jump, range);
 }
 
@@ -59,29 +56,25 @@ std::string resolution_warning(const rough::Response& response) {
     for (rough::Index j = 0; j < response.steps(); ++j) {
         const auto width = static_cast<rough::Index>(response.spot_width[j]);
         known += width > 0;
-        if (width == 0 || width >= rough::resolved_spot_nodes)
-            continue;
+        if (width == 0 || width >= rough::resolved_spot_nodes) continue;
         ++unresolved;
         pressure = response.pressure[j];
         widest = std::max(widest, width);
     }
     if (unresolved == 0 || 2 * unresolved < known) // the first touch is never resolved
         return "";
-    return "contact spots are not resolved at " + std::to_string(unresolved) + " of " +
-           std::to_string(known) + " loads, up to " + readable(pressure) +
-           " MPa: half of the contact area is in spots at most " + nodes_in_words(widest) +
-           " wide, so the area depends on the node spacing; measure with a finer node spacing";
+    return "contact spots are not resolved at " + std::to_string(unresolved) + " of " + std::to_string(known) +
+           " loads, up to " + readable(pressure) + " MPa: half of the contact area is in spots at most " +
+           nodes_in_words(widest) + " wide, so the area depends on the node spacing; measure with a finer node spacing";
 }
 
 std::string resolution_warning(const rough::Profile& surface, bool periodic) {
     const double height = rough::material_height(surface.heights, 0.01);
     std::vector<int> highest;
     for (rough::Index i = 0; i < surface.nodes(); ++i)
-        if (surface.heights[i] >= height)
-            highest.push_back(static_cast<int>(i));
+        if (surface.heights[i] >= height) highest.push_back(static_cast<int>(i));
     const rough::Index width = rough::spot_width(highest, surface.shape(), periodic);
-    if (width >= rough::resolved_spot_nodes)
-        return "";
+    if (width >= rough::resolved_spot_nodes) return "";
     return "contact spots are not resolved at light load: half of the highest 1 % of nodes are in groups "
            "at most " +
            nodes_in_words(width) +
@@ -89,8 +82,7 @@ std::string resolution_warning(const rough::Profile& surface, bool periodic) {
 }
 
 std::string print_note(const rough::Profile& surface, const rough::Extrusion& extrusion) {
-    if (surface.nodes() > max_stl_nodes)
-        return "no solid is written, because the surface has too many nodes";
+    if (surface.nodes() > max_stl_nodes) return "no solid is written, because the surface has too many nodes";
     constexpr double few_steps = 20; ///< with fewer, the steps are as large as the roughness
     Eigen::Array3d low = Eigen::Array3d::Constant(HUGE_VAL), high = -low;
     for (const Eigen::Vector3f& vertex : solid(surface, extrusion).vertices) {
@@ -101,14 +93,12 @@ std::string print_note(const rough::Profile& surface, const rough::Extrusion& ex
     const double relief = extrusion.magnify * (surface.heights.maxCoeff() - surface.heights.minCoeff()),
                  steps = relief / extrusion.layer;
     std::string all = "the printed solid is " + readable(size[0]) + " x " + readable(size[1]) + " x " +
-                      readable(size[2]) + " mm; its relief of " + readable(relief) + " mm has " +
-                      readable(steps) + " layer steps of " + brief(extrusion.layer) + " mm";
-    if (steps < few_steps)
-        all += " (under 20: give a larger --magnify)";
+                      readable(size[2]) + " mm; its relief of " + readable(relief) + " mm has " + readable(steps) +
+                      " layer steps of " + brief(extrusion.layer) + " mm";
+    if (steps < few_steps) all += " (under 20: give a larger --magnify)";
     if (extrusion.magnify != 1)
         all += "; at the same pressure and modulus its stiffness K is the surface's K divided by " +
-               brief(extrusion.magnify, 6) + ", with a datum " + brief(extrusion.magnify, 6) +
-               " times farther";
+               brief(extrusion.magnify, 6) + ", with a datum " + brief(extrusion.magnify, 6) + " times farther";
     return all;
 }
 
@@ -116,15 +106,12 @@ std::vector<std::string> write_solids(const rough::Profile& surface, const rough
                                       const std::filesystem::path& folder, const std::string& name) {
     std::vector<std::string> files;
     const auto write = [&](const std::string& file, auto content, rough::Index max_nodes, const char* why) {
-        if (surface.nodes() > max_nodes)
-            return say("note: " + file + " is left out, because " + why);
+        if (surface.nodes() > max_nodes) return say("note: " + file + " is left out, because " + why);
         rough::write_atomically(folder / file, content(surface, extrusion));
         files.push_back(file);
     };
-    write(name + ".stl", rough::binary_stl, max_stl_nodes,
-          "no printer can use a solid of more than 1e6 nodes");
-    write(name + ".3mf", rough::three_mf, max_3mf_nodes,
-          "it takes 500 bytes per node and there are over 1e5 nodes");
+    write(name + ".stl", rough::binary_stl, max_stl_nodes, "no printer can use a solid of more than 1e6 nodes");
+    write(name + ".3mf", rough::three_mf, max_3mf_nodes, "it takes 500 bytes per node and there are over 1e5 nodes");
     return files;
 }
 
@@ -133,8 +120,7 @@ std::vector<std::string> write_height_image(const rough::Profile& surface, const
     try {
         const rough::HeightImage image = height_image(surface, extrusion);
         nlohmann::json scale{{"image", name + ".png"}};
-        for (const auto& [key, value] : image.scale)
-            scale[key] = value;
+        for (const auto& [key, value] : image.scale) scale[key] = value;
         rough::write_atomically(folder / (name + ".png"), image.png);
         write_json(folder / (name + "-scale.json"), scale);
         return {name + ".png", name + "-scale.json"};

@@ -9,18 +9,17 @@ std::string grid_words(const AccuracyReport& account) {
     const std::vector<Index>& grids = account.grids;
     if (!account.extrapolated())
         return line_of("The contact was solved on ", grids.back(), " nodes",
-                       grids.size() == 1 ? ""
-                                         : line_of(", the resolved grid, because ", grids.size() - 1,
-                                                   " coarser grid(s) of up to ", grids[grids.size() - 2],
-                                                   " nodes did not suffice"));
+                       grids.size() == 1
+                           ? ""
+                           : line_of(", the resolved grid, because ", grids.size() - 1, " coarser grid(s) of up to ",
+                                     grids[grids.size() - 2], " nodes did not suffice"));
     const auto first = grids.size() - static_cast<std::size_t>(account.read_grids);
     PlainStream words;
     words << "The curve was extrapolated to " << account.resolved_nodes << " nodes from grids of ";
     for (std::size_t i = first; i < grids.size(); ++i)
         words << (i == first ? "" : i + 1 == grids.size() ? " and " : ", ") << grids[i];
     words << " nodes";
-    if (first > 0)
-        words << ", after " << first << " coarser grid(s) that did not suffice";
+    if (first > 0) words << ", after " << first << " coarser grid(s) that did not suffice";
     if (account.resolved_rows > 0)
         words << "; the first " << account.resolved_rows << " load steps, the lightest, were solved on the "
               << account.resolved_nodes << " nodes themselves";
@@ -34,8 +33,7 @@ std::string in_words(const AccuracyReport& account) {
     words.precision(2);
     words << grid_words(account) << "; " << account.solved_rows << " of " << account.rows
           << " load steps were solved by the solver " << name_of(account.solver);
-    if (account.solved_rows < account.rows)
-        words << ", the other ones were interpolated within exact bounds";
+    if (account.solved_rows < account.rows) words << ", the other ones were interpolated within exact bounds";
     words << ". ";
     if (!account.used.empty()) {
         words << account.used.size() << " chromosome(s) were modelled";
@@ -49,9 +47,8 @@ std::string in_words(const AccuracyReport& account) {
         words << "One profile, the mean along the grooves, replaces the map (Str " << account.aspect_ratio
               << "). Its curve is off by at most " << account.line_error << " (a bound). ";
     else if (std::isfinite(account.line_error))
-        words << "One profile, the mean along the grooves, could not replace the map (Str "
-              << account.aspect_ratio << "), because its curve is off by up to " << account.line_error
-              << " (measured). ";
+        words << "One profile, the mean along the grooves, could not replace the map (Str " << account.aspect_ratio
+              << "), because its curve is off by up to " << account.line_error << " (measured). ";
     if (account.accuracy > 0) {
         words << "The estimated relative error against the resolved model, in pressure and secant stiffness, "
                  "is at most "
@@ -65,8 +62,7 @@ std::string in_words(const AccuracyReport& account) {
                 words << name << " are off by an estimated " << error << " at most. ";
             else
                 words << name << " are not bounded"
-                      << (account.by_line ? "" : " at the lightest load steps, where few nodes touch")
-                      << ". ";
+                      << (account.by_line ? "" : " at the lightest load steps, where few nodes touch") << ". ";
         words << "The relative error of the interface stiffness K_i is K_i/K times that of K.";
         if (account.used.empty())
             words << " Contact fractions count measured nodes: only the band of the scan's resolution shows "

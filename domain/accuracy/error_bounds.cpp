@@ -13,8 +13,7 @@ Eigen::VectorXd shifted_pressures(const Profile& profile, const Body& body, std:
     std::vector<double> within;
     for (double& displacement : displacements) {
         displacement += shift;
-        if (displacement > 0 && displacement <= full)
-            within.push_back(displacement);
+        if (displacement > 0 && displacement <= full) within.push_back(displacement);
     }
     const ContactCurve curve = solve_contact(profile, body, within, options);
     Eigen::VectorXd pressures(static_cast<Index>(displacements.size()));
@@ -69,8 +68,7 @@ ErrorScale error_scale(const Eigen::VectorXd& pressure, double light) {
     const double floor = light * pressure[pressure.size() - 1];
     ErrorScale scale{pressure.cwiseMax(floor), differences(pressure)};
     for (Index j = 0; j < pressure.size(); ++j)
-        if (pressure[j] < floor)
-            scale.difference[j] = std::max(scale.difference[j], floor);
+        if (pressure[j] < floor) scale.difference[j] = std::max(scale.difference[j], floor);
     return scale;
 }
 
@@ -86,9 +84,7 @@ Doubt Doubt::known_up_to(Index rows, double offset) const {
     return result;
 }
 
-Doubt operator+(const Doubt& a, const Doubt& b) {
-    return {a.pressure + b.pressure, a.difference + b.difference};
-}
+Doubt operator+(const Doubt& a, const Doubt& b) { return {a.pressure + b.pressure, a.difference + b.difference}; }
 
 Doubt doubt_of(const Eigen::VectorXd& pressure, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) {
     const Eigen::VectorXd below = pressure - lower, above = upper - pressure;
@@ -102,8 +98,7 @@ Doubt solver_doubt(const Response& rows, Index count, const Eigen::VectorXd& sha
     const Index last = rows.steps() - 1;
     Eigen::VectorXd next_stiffness = rows.tangent_stiffness;
     next_stiffness.head(last) = rows.tangent_stiffness.tail(last);
-    const Eigen::VectorXd error =
-        share.cwiseProduct(rows.displacement).cwiseProduct(next_stiffness).head(count);
+    const Eigen::VectorXd error = share.cwiseProduct(rows.displacement).cwiseProduct(next_stiffness).head(count);
     return doubt_of(error, Eigen::VectorXd::Zero(count), 2 * error);
 }
 
@@ -112,8 +107,7 @@ Eigen::VectorXd displacement_errors(const Response& rows, const Loading& loading
     const Index last = rows.steps() - 1;
     Eigen::ArrayXd share = rows.kkt_residual;
     if (!loading.pressures.empty())
-        share += (pressure / Eigen::Map<const Eigen::ArrayXd>(loading.pressures.data(), pressure.size()) - 1)
-                     .abs();
+        share += (pressure / Eigen::Map<const Eigen::ArrayXd>(loading.pressures.data(), pressure.size()) - 1).abs();
     else if (loading.to_pressure)
         share += std::abs(pressure[last] / *loading.to_pressure - 1);
     return share;
@@ -123,8 +117,7 @@ Eigen::VectorXd relative(const Doubt& doubt, const ErrorScale& scale) {
     const Eigen::VectorXd pressure = doubt.pressure.cwiseQuotient(scale.pressure);
     const double last = pressure[pressure.size() - 1]; // the scale of light loads is a share of the last
     Eigen::VectorXd error = pressure.cwiseMax(doubt.difference.cwiseQuotient(scale.difference));
-    for (double& each : error)
-        each = std::max(each, last) < 1 ? each / (1 - std::max(each, last)) : HUGE_VAL;
+    for (double& each : error) each = std::max(each, last) < 1 ? each / (1 - std::max(each, last)) : HUGE_VAL;
     return error;
 }
 
@@ -134,10 +127,8 @@ Index rows_to_know(const Doubt& doubt, const ErrorScale& scale, double accuracy)
     accuracy /= 1 + accuracy; // relative to the curve's pressures, as in relative()
     for (Index j = known - 1; j >= 0; --j) {
         worst = std::max(worst, doubt.pressure[j] / scale.pressure[j]);
-        if (!(std::max(worst, doubt.difference[j] / scale.difference[j]) <= accuracy))
-            break;
-        if (j == 0 || worst + doubt.pressure[j - 1] / scale.pressure[j] <= accuracy)
-            known = j;
+        if (!(std::max(worst, doubt.difference[j] / scale.difference[j]) <= accuracy)) break;
+        if (j == 0 || worst + doubt.pressure[j - 1] / scale.pressure[j] <= accuracy) known = j;
     }
     return known;
 }
@@ -152,8 +143,8 @@ double relative_error(const Eigen::VectorXd& pressure, const Eigen::VectorXd& re
 Window window_between(const Profile& whole, const Profile& reduced) {
     if (whole.nodes() != reduced.nodes() || whole.spacing != reduced.spacing)
         throw InputError("window: the two profiles have different nodes; sample both on one grid");
-    const Eigen::VectorXd f = (reduced.heights.array() - reduced.heights.maxCoeff()) -
-                              (whole.heights.array() - whole.heights.maxCoeff());
+    const Eigen::VectorXd f =
+        (reduced.heights.array() - reduced.heights.maxCoeff()) - (whole.heights.array() - whole.heights.maxCoeff());
     return {std::min(f.minCoeff(), 0.0), std::max(f.maxCoeff(), 0.0)};
 }
 
@@ -169,8 +160,7 @@ Bounds pressure_bounds(const std::vector<LoadStep>& steps, Index count, const Wi
         const LoadStep& step = steps[static_cast<std::size_t>(j)];
         bounds.lower[j] = std::max(0.0, step.pressure - window.highest * step.tangent_stiffness);
         bounds.upper[j] = step.pressure;
-        if (window.lowest == 0)
-            continue;
+        if (window.lowest == 0) continue;
         const auto beyond = std::find_if(steps.begin() + j, steps.end(), [&](const LoadStep& other) {
             return other.displacement >= step.displacement - window.lowest;
         });

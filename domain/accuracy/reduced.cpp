@@ -48,8 +48,7 @@ double fill_gap(std::vector<LoadStep>& steps, const std::vector<double>& displac
         const double length = steps[j].displacement - previous;
         const double lowest = length * start.tangent_stiffness;
         double secant_error = error + previous_error;
-        if (convex)
-            secant_error = std::min(secant_error, length * last.tangent_stiffness - lowest);
+        if (convex) secant_error = std::min(secant_error, length * last.tangent_stiffness - lowest);
         worst = std::max({worst, over(error, pressure), over(secant_error, lowest)});
         previous_error = error;
         previous = steps[j].displacement;
@@ -60,8 +59,7 @@ double fill_gap(std::vector<LoadStep>& steps, const std::vector<double>& displac
 } // namespace
 
 LineOfMap line_of_map(const Profile& map) {
-    if (!map.is_2d())
-        refuse("line of a map: the surface is a line; give a map");
+    if (!map.is_2d()) refuse("line of a map: the surface is a line; give a map");
     const auto [columns, rows] = map.shape();
     const Eigen::Map<const Eigen::MatrixXd> z(map.heights.data(), columns, rows);
     LineOfMap along_x{{z.rowwise().mean(), map.spacing}, true, {}},
@@ -80,21 +78,17 @@ LoadRows solve_rows(const Profile& profile, const Body& body, const std::vector<
     LoadRows rows;
     rows.steps.resize(count);
     std::vector<char> known;
-    for (const double displacement : displacements)
-        known.push_back(displacement <= 0);
+    for (const double displacement : displacements) known.push_back(displacement <= 0);
     const std::size_t apart = accuracy > 0 ? std::max<std::size_t>(1, count / first_rows) : 1;
     std::vector<std::size_t> next;
-    for (std::size_t j = count; j > 0 && !known[j - 1]; j -= std::min(j, apart))
-        next.push_back(j - 1);
+    for (std::size_t j = count; j > 0 && !known[j - 1]; j -= std::min(j, apart)) next.push_back(j - 1);
     // The first row in contact is solved too. Rows between solved rows are then in contact at both ends.
     const auto first_row = static_cast<std::size_t>(std::count(known.begin(), known.end(), 1));
-    if (!next.empty() && next.back() > first_row)
-        next.push_back(first_row);
+    if (!next.empty() && next.back() > first_row) next.push_back(first_row);
     std::reverse(next.begin(), next.end());
     while (!next.empty()) {
         std::vector<double> at;
-        for (const std::size_t j : next)
-            at.push_back(displacements[j]);
+        for (const std::size_t j : next) at.push_back(displacements[j]);
         const ContactCurve curve = solve_contact(profile, body, at, options);
         for (std::size_t k = 0; k < next.size(); ++k) {
             rows.steps[next[k]] = curve.steps[k];
@@ -102,15 +96,13 @@ LoadRows solve_rows(const Profile& profile, const Body& body, const std::vector<
         }
         rows.solved += static_cast<int>(next.size());
         rows.solver = curve.solver;
-        if (next.back() + 1 == count)
-            rows.last_contact = curve.last_contact;
+        if (next.back() + 1 == count) rows.last_contact = curve.last_contact;
 
         next.clear();
         rows.error = rows.area_error = rows.tangent_error = 0;
         LoadStep start; // no contact at displacement 0
         for (std::size_t first = 0, end = 0; end < count; ++end) {
-            if (!known[end])
-                continue;
+            if (!known[end]) continue;
             const double worst = first < end ? fill_gap(rows.steps, displacements, first, end, start) : 0;
             rows.error = std::max(rows.error, worst);
             if (worst > accuracy) {
@@ -122,8 +114,7 @@ LoadRows solve_rows(const Profile& profile, const Body& body, const std::vector<
             }
             const LoadStep& solved = rows.steps[end];
             for (std::size_t j = first; j < end; ++j) {
-                const double t =
-                    (displacements[j] - start.displacement) / (solved.displacement - start.displacement);
+                const double t = (displacements[j] - start.displacement) / (solved.displacement - start.displacement);
                 const auto widen = [&](double& error, double from, double to) {
                     error = std::max(error, std::max(t, 1 - t) * (to / from - 1));
                 };

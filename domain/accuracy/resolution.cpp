@@ -38,19 +38,14 @@ void interpolate_kinked(const Measured& z, Index times, bool periodic, Fine&& fi
                      after = bend(i + 2);
         const bool inside = periodic || (i > 0 && i + 2 < nodes);
         const auto from_left = [&](double t) { return a + t * (a - at(i - 1)) + before * t * (t + 1) / 2; };
-        const auto from_right = [&](double t) {
-            return b + (1 - t) * (b - at(i + 2)) + after * (1 - t) * (2 - t) / 2;
-        };
-        const bool kinked = inside &&
-                            -(bend_a + bend_b) > kink_share * (std::abs(before) + std::abs(after)) &&
+        const auto from_right = [&](double t) { return b + (1 - t) * (b - at(i + 2)) + after * (1 - t) * (2 - t) / 2; };
+        const bool kinked = inside && -(bend_a + bend_b) > kink_share * (std::abs(before) + std::abs(after)) &&
                             from_left(1) > b && from_right(0) > a;
-        const double curvature =
-            bend_a * bend_b > 0 ? (std::abs(bend_a) < std::abs(bend_b) ? bend_a : bend_b) : 0;
+        const double curvature = bend_a * bend_b > 0 ? (std::abs(bend_a) < std::abs(bend_b) ? bend_a : bend_b) : 0;
         double crest = 0; // place at which the flanks meet
         if (kinked)
             for (double step = 0.5; step > 1e-6; step /= 2)
-                if (from_left(crest + step) < from_right(crest + step))
-                    crest += step;
+                if (from_left(crest + step) < from_right(crest + step)) crest += step;
         for (Index k = 1; k < times; ++k) {
             const double t = static_cast<double>(k) / static_cast<double>(times), chord = a + t * (b - a);
             const bool nearest = 2 * std::abs(t - crest) * static_cast<double>(times) <= 1;
@@ -71,8 +66,7 @@ Heights finer_columns(const Heights& heights, Index times, Interpolation by, boo
         const auto continue_straight = [&](double before, double after) { // adds the outer half cells
             for (Index i = 1; i <= edge; ++i) {
                 all[edge - i] = z[0] - before * static_cast<double>(i) / static_cast<double>(times);
-                all[edge + open - 1 + i] =
-                    z[nodes - 1] + after * static_cast<double>(i) / static_cast<double>(times);
+                all[edge + open - 1 + i] = z[nodes - 1] + after * static_cast<double>(i) / static_cast<double>(times);
             }
         };
         auto at = all.segment(edge, fine.rows() - 2 * edge);
@@ -91,11 +85,10 @@ Heights finer_columns(const Heights& heights, Index times, Interpolation by, boo
             interpolate_kinked(z, times, periodic, at);
             continue;
         }
-        const boost::math::interpolators::cardinal_cubic_b_spline<double> spline(z.data(), z.data() + nodes,
-                                                                                 0., 1., first, last);
+        const boost::math::interpolators::cardinal_cubic_b_spline<double> spline(z.data(), z.data() + nodes, 0., 1.,
+                                                                                 first, last);
         for (Index i = 0; i < open; ++i)
-            if (i % times != 0)
-                at[i] = spline(static_cast<double>(i) / static_cast<double>(times));
+            if (i % times != 0) at[i] = spline(static_cast<double>(i) / static_cast<double>(times));
     }
     return fine;
 }
@@ -114,8 +107,7 @@ double top(const Profile& surface, const Body& body) {
 }
 
 /// Values of an interpolated surface at the measured pressures, interpolated between its load steps.
-Eigen::VectorXd at_measured_pressures(const Response& finer, const Eigen::VectorXd& values,
-                                      const Response& measured) {
+Eigen::VectorXd at_measured_pressures(const Response& finer, const Eigen::VectorXd& values, const Response& measured) {
     Eigen::VectorXd read = values;
     for (Index j = 0; read.size() > 1 && j < read.size(); ++j) {
         const auto [left, weight] = segment_at({finer.pressure, {}}, measured.pressure[j]);
@@ -130,12 +122,10 @@ Eigen::VectorXd at_measured_pressures(const Response& finer, const Eigen::Vector
 Profile finer(const Profile& surface, Index times, Interpolation by, bool periodic) {
     const auto [columns, rows] = surface.shape();
     const bool cells = surface.is_2d() && !periodic;
-    if (cells && times % 2 == 0)
-        refuse("finer: ", times, " elements for each cell of a map; use an odd number");
-    Heights fine = finer_columns(Eigen::Map<const Heights>(surface.heights.data(), columns, rows), times, by,
-                                 periodic, cells);
-    if (surface.is_2d())
-        fine = finer_columns(fine.transpose(), times, by, periodic, cells).transpose().eval();
+    if (cells && times % 2 == 0) refuse("finer: ", times, " elements for each cell of a map; use an odd number");
+    Heights fine =
+        finer_columns(Eigen::Map<const Heights>(surface.heights.data(), columns, rows), times, by, periodic, cells);
+    if (surface.is_2d()) fine = finer_columns(fine.transpose(), times, by, periodic, cells).transpose().eval();
     const double share = 1 / static_cast<double>(times);
     return {fine.reshaped(), surface.spacing * share, fine.cols(), surface.row_spacing * share};
 }
@@ -150,8 +140,7 @@ std::vector<Response> finer_responses(const Profile& scan, const Model& model, c
     std::vector<Response> responses;
     const Body& body = model.body;
     const bool periodic = body.kernel == Kernel::periodic;
-    if (is_omitted(scan, periodic, resolution))
-        return responses;
+    if (is_omitted(scan, periodic, resolution)) return responses;
     ContactOptions options = model.contact;
     options.solver = Solver::automatic;
     options.tolerance = std::max(options.tolerance, 1e-4); // far below the interpolation's uncertainty
@@ -172,8 +161,7 @@ ResolutionBand resolution_band(const Profile& scan, const Model& model, const Re
                                Resolution resolution) {
     const bool periodic = model.body.kernel == Kernel::periodic;
     if (is_omitted(scan, periodic, resolution))
-        return {.omitted =
-                    resolution == Resolution::off ? "" : "too many nodes; --resolution on computes it"};
+        return {.omitted = resolution == Resolution::off ? "" : "too many nodes; --resolution on computes it"};
     const Index rows = measured.steps();
     Eigen::MatrixXd fraction(rows, 5), stiffness(rows, 5);
     fraction.col(0) = measured.contact_fraction;
@@ -185,14 +173,12 @@ ResolutionBand resolution_band(const Profile& scan, const Model& model, const Re
             stiffness.col(column) = at_measured_pressures(finer, finer.tangent_stiffness, measured);
         }
     } catch (const std::exception& error) { // costs the band, not the curve
-        if (is_stopped(model.contact))
-            throw;
+        if (is_stopped(model.contact)) throw;
         return {.omitted = error.what()};
     }
-    for (Eigen::MatrixXd* values :
-         {&fraction, &stiffness}) // the spline's curve at spacing 0 (Richardson 1911)
-        values->col(4) = values->col(2) + (values->col(2) - values->col(0)) /
-                                              static_cast<double>(finer_times(scan, periodic) - 1);
+    for (Eigen::MatrixXd* values : {&fraction, &stiffness}) // the spline's curve at spacing 0 (Richardson 1911)
+        values->col(4) =
+            values->col(2) + (values->col(2) - values->col(0)) / static_cast<double>(finer_times(scan, periodic) - 1);
     const auto margin = [&](const Eigen::MatrixXd& values) -> Eigen::ArrayXd {
         const Eigen::ArrayXd width =
             (values.rowwise().maxCoeff() - values.rowwise().minCoeff()).cwiseQuotient(values.col(0));
@@ -213,11 +199,8 @@ ElasticEnd elastic_end(const Profile& surface, const Model& model, const Respons
     options.states = true;
     const Body& body = model.body;
     const auto largest_at = [&](Index step) {
-        if (const double known = response.largest_pressure[step]; known > 0)
-            return known;
-        return solve_contact(surface, body, {response.displacement[step]}, options)
-            .states.front()
-            .pressure.maxCoeff();
+        if (const double known = response.largest_pressure[step]; known > 0) return known;
+        return solve_contact(surface, body, {response.displacement[step]}, options).states.front().pressure.maxCoeff();
     };
     const Index last = response.steps() - 1;
     const double largest = largest_at(last);
@@ -234,8 +217,7 @@ OutlierCost outlier_cost(const Profile& scan, const std::vector<Index>& outliers
     Profile clean = scan;
     clean.heights = interpolated(scan.heights, outliers);
     // A periodic body may be in full contact with the clean surface before the last of these pressures.
-    for (Index rows = response.steps(); rows > 0; rows /= 2)
-        try {
+    for (Index rows = response.steps(); rows > 0; rows /= 2) try {
             Model at = model;
             at.loading.pressures = {response.pressure.begin(), response.pressure.begin() + rows};
             const Response found = respond(clean, at);
@@ -243,27 +225,23 @@ OutlierCost outlier_cost(const Profile& scan, const std::vector<Index>& outliers
             const Eigen::ArrayXd factors =
                 found.contact_fraction.array() / response.contact_fraction.head(rows).array();
             const double factor = factors.maxCoeff(&row);
-            return {factor, found.tangent_stiffness[row] / response.tangent_stiffness[row],
-                    response.pressure[row]};
+            return {factor, found.tangent_stiffness[row] / response.tangent_stiffness[row], response.pressure[row]};
         } catch (const InputError&) {
         }
     return {};
 }
 
-std::string describe_fill_effect(const Profile& surface, const std::vector<Index>& filled,
-                                 const Model& model) {
+std::string describe_fill_effect(const Profile& surface, const std::vector<Index>& filled, const Model& model) {
     const auto in_words = [](double pressure, double of_filled, double of_lowest) {
-        return line_with_digits(4, "filled points: at ", pressure, " MPa the contact is ", 100 * of_filled,
-                                " %, and ", 100 * of_lowest, " % with the holes as lowest points");
+        return line_with_digits(4, "filled points: at ", pressure, " MPa the contact is ", 100 * of_filled, " %, and ",
+                                100 * of_lowest, " % with the holes as lowest points");
     };
     Model few = model;
-    if (few.loading.pressures.empty())
-        few.loading.steps = 2;
+    if (few.loading.pressures.empty()) few.loading.steps = 2;
     const Response of_filled = respond(surface, few);
     Profile lowest = surface;
     lowest.heights(filled).setConstant(surface.heights.minCoeff());
-    for (Index step = of_filled.steps(); step-- > 0;)
-        try {
+    for (Index step = of_filled.steps(); step-- > 0;) try {
             few.loading.pressures = {of_filled.pressure[step]};
             return in_words(of_filled.pressure[step], of_filled.contact_fraction[step],
                             respond(lowest, few).contact_fraction[0]);

@@ -44,7 +44,7 @@ struct ResolutionBand {
     Eigen::VectorXd contact_fraction_high = {};  ///< upper edge for the contact fraction
     Eigen::VectorXd tangent_stiffness_low = {};  ///< lower edge for the tangent stiffness, MPa/mm
     Eigen::VectorXd tangent_stiffness_high = {}; ///< upper edge for the tangent stiffness, MPa/mm
-    std::string omitted = {}; ///< why a requested band was not computed, in words; otherwise ""
+    std::string omitted = {};                    ///< why a requested band was not computed, in words; otherwise ""
 
     bool is_computed() const { return contact_fraction_low.size() > 0; } ///< whether there is a band
 };
@@ -86,7 +86,6 @@ OutlierCost outlier_cost(const Profile& scan, const std::vector<Index>& outliers
 /// The effect of filled points on the contact, in words. Example: "filled points: at 5 MPa the contact
 /// is 12.3 %, and 11.9 % with the holes as lowest points". Solves for both surfaces. The mean pressure is
 /// that of the last load step that both reach. Throws NotConverged as respond().
-std::string describe_fill_effect(const Profile& surface, const std::vector<Index>& filled,
-                                 const Model& model);
+std::string describe_fill_effect(const Profile& surface, const std::vector<Index>& filled, const Model& model);
 
 } // namespace rough

@@ -38,27 +38,23 @@ constexpr double miscounted = 4, exact_share = 1e-9;
 /// the same body, nodes in their middle. Coarse nodes from end to end would make the body longer by half an
 /// element at each end, which is an error of first order.
 Grid cells(const Grid& resolved, Index elements) {
-    if (resolved.periodic)
-        return {elements, resolved.length, true, resolved.from};
+    if (resolved.periodic) return {elements, resolved.length, true, resolved.from};
     const double overhang = 0.5 * resolved.spacing();
     const double spacing = (resolved.length + 2 * overhang) / static_cast<double>(elements);
-    return {elements, spacing * static_cast<double>(elements - 1), false,
-            resolved.from - overhang + 0.5 * spacing};
+    return {elements, spacing * static_cast<double>(elements - 1), false, resolved.from - overhang + 0.5 * spacing};
 }
 
 /// Largest relative error of a quantity that grows from row to row. The error of each displacement is at most
 /// its `share`, that of the contact fraction at most `wrong`.
-double largest_change(const Response& rows, const Eigen::VectorXd& values, const Eigen::VectorXd& share,
-                      double wrong) {
+double largest_change(const Response& rows, const Eigen::VectorXd& values, const Eigen::VectorXd& share, double wrong) {
     const Eigen::VectorXd lengths = differences(rows.displacement), changes = differences(values),
                           joined = differences(rows.contact_fraction);
     const Index last = rows.steps() - 1;
     double worst = 0;
     for (Index j = 0; j <= last; ++j)
-        for (const Index k :
-             {std::min(std::max<Index>(j, 1), last), std::min(j + 1, last)}) { // around the row
-            const double part = share[j] * rows.displacement[j] / lengths[k] +
-                                (wrong < joined[k] ? wrong / joined[k] : wrong > 0);
+        for (const Index k : {std::min(std::max<Index>(j, 1), last), std::min(j + 1, last)}) { // around the row
+            const double part =
+                share[j] * rows.displacement[j] / lengths[k] + (wrong < joined[k] ? wrong / joined[k] : wrong > 0);
             worst = std::max(worst, part * changes[k] / values[j]);
         }
     return worst;
@@ -68,15 +64,13 @@ double largest_change(const Response& rows, const Eigen::VectorXd& values, const
 Model tolerant(Model model) {
     if (!(model.accuracy >= 0) || model.accuracy > 1)
         refuse_value("accuracy", model.accuracy, " is out of range (more than 0, at most 1)");
-    if (model.accuracy == 0)
-        return model;
+    if (model.accuracy == 0) return model;
     if (model.body.yields() || !model.body.layering.layers.empty())
         refuse_value("accuracy", "its bounds do not hold with a hardness or layers; omit one of the two");
-    const auto steps = static_cast<double>(
-        std::max(model.loading.pressures.size(), static_cast<std::size_t>(model.loading.steps)));
-    model.contact.tolerance =
-        std::min(model.contact.tolerance,
-                 std::clamp(solver_share * model.accuracy / (2 * steps), min_tolerance, max_tolerance));
+    const auto steps =
+        static_cast<double>(std::max(model.loading.pressures.size(), static_cast<std::size_t>(model.loading.steps)));
+    model.contact.tolerance = std::min(
+        model.contact.tolerance, std::clamp(solver_share * model.accuracy / (2 * steps), min_tolerance, max_tolerance));
     return model;
 }
 
@@ -126,11 +120,10 @@ class AccuracySolver {
     /// Answers from coarser grids. The first rows, with slight contact, come from the resolved grid: coarse
     /// grids are least accurate there, and fine ones cheap. False if that does not pay.
     bool by_coarser_grids(const SumOfWaves& surface) {
-        if (!step_curve_.steps.empty())
-            return false;
+        if (!step_curve_.steps.empty()) return false;
         const Window& window = surface.window;
-        const double waves = model_.grid.length /
-                             std::ranges::min(surface.used, {}, &PlacedWave::wave_length_mm).wave_length_mm;
+        const double waves =
+            model_.grid.length / std::ranges::min(surface.used, {}, &PlacedWave::wave_length_mm).wave_length_mm;
         const double first = std::max<double>(min_elements, first_elements_per_wave * waves);
         const double finest = finest_share * resolved_nodes();
         if (first * std::pow(grid_ratio, min_grids_in_line - 2) >= finest) // no room for a line
@@ -140,14 +133,12 @@ class AccuracySolver {
         for (double next = first; next < grid_ratio * finest; next *= grid_ratio) {
             const Index elements = fast_fourier_length(std::lround(std::min(next, finest)));
             const std::optional<LoadRows> rows = rows_on(cells(model_.grid, elements), surface, highest);
-            if (!rows)
-                continue;
+            if (!rows) continue;
             const Response response = response_of(*rows);
             account_.grids.push_back(elements);
             ladder.elements.push_back(elements);
             ladder.responses.push_back(response);
-            if (ladder.elements.size() < min_grids_in_line)
-                continue;
+            if (ladder.elements.size() < min_grids_in_line) continue;
             const Extrapolation found =
                 extrapolate(ladder.last(), ladder.last(&Response::pressure, count_), whole_.nodes());
             const Sources sources{found.doubt, dropped_doubt(window, *rows, found.pressure),
@@ -164,8 +155,7 @@ class AccuracySolver {
             if (known < count_ && cost_on(resolved_nodes(), known) <= cost_without &&
                 answer_with(ladder, found, sources, *rows, known))
                 return true;
-            if (last)
-                return false;
+            if (last) return false;
         }
         return false;
     }
@@ -209,8 +199,7 @@ class AccuracySolver {
     double resolved_nodes() const { return static_cast<double>(whole_.nodes()); }
 
     LoadRows resolved(const std::vector<double>& rows) const {
-        return solve_rows(whole_, model_.body, rows, model_.contact,
-                          whole_.is_2d() ? 0 : step_share * accuracy_);
+        return solve_rows(whole_, model_.body, rows, model_.contact, whole_.is_2d() ? 0 : step_share * accuracy_);
     }
 
     /// Sets the errors of contact fractions and tangents. The error of each displacement is at most its
@@ -231,8 +220,8 @@ class AccuracySolver {
 
     /// Takes the curve from the grids and its first `known` rows from the resolved grid. False if it is then
     /// not within the accuracy.
-    bool answer_with(const Ladder& ladder, const Extrapolation& found, const Sources& sources,
-                     const LoadRows& rows, Index known) {
+    bool answer_with(const Ladder& ladder, const Extrapolation& found, const Sources& sources, const LoadRows& rows,
+                     Index known) {
         const LoadRows first = resolved({rows_.begin(), rows_.begin() + known});
         const auto joined = [&, known_rows = response_of(first)](Eigen::VectorXd values, auto quantity) {
             values.head(known) = known_rows.*quantity;
@@ -265,10 +254,8 @@ class AccuracySolver {
         widen(account_.area_error, area, std::max(rows.area_error, first.area_error));
         widen(account_.tangent_error, tangent, std::max(rows.tangent_error, first.tangent_error));
         account_.estimated_error = error(sources.together(), offset) + account_.step_error;
-        if (!(account_.estimated_error <= accuracy_))
-            return false;
-        response_.kkt_residual =
-            joined(ladder.responses.back().kkt_residual.head(count_), &Response::kkt_residual);
+        if (!(account_.estimated_error <= accuracy_)) return false;
+        response_.kkt_residual = joined(ladder.responses.back().kkt_residual.head(count_), &Response::kkt_residual);
         account_.solver = response_.solver = rows.solver;
         account_.solved_rows = rows.solved;
         account_.resolved_rows = static_cast<int>(known);
@@ -285,13 +272,10 @@ class AccuracySolver {
         const Window& window = surface.window;
         const Profile profile = surface.on(grid);
         std::vector<double> at = rows_;
-        if (window.width() > 0 && !grid.periodic)
-            at.push_back(rows_.back() + window.width());
+        if (window.width() > 0 && !grid.periodic) at.push_back(rows_.back() + window.width());
         const double shift = highest - profile.heights.maxCoeff() + 0.5 * (window.lowest + window.highest);
-        for (double& displacement : at)
-            displacement -= shift;
-        if (grid.periodic && at.back() >= displacement_range(profile, Kernel::periodic))
-            return std::nullopt;
+        for (double& displacement : at) displacement -= shift;
+        if (grid.periodic && at.back() >= displacement_range(profile, Kernel::periodic)) return std::nullopt;
         LoadRows rows = solve_rows(profile, model_.body, at, model_.contact, step_share * accuracy_);
         // P is a mean over L, not over the body's length.
         const double factor = grid.length / model_.grid.length;
@@ -303,8 +287,7 @@ class AccuracySolver {
     }
 
     Doubt dropped_doubt(const Window& window, const LoadRows& rows, const Eigen::VectorXd& pressure) const {
-        if (window.width() == 0)
-            return {Eigen::VectorXd::Zero(count_), Eigen::VectorXd::Zero(count_)};
+        if (window.width() == 0) return {Eigen::VectorXd::Zero(count_), Eigen::VectorXd::Zero(count_)};
         const double half = 0.5 * window.width();
         const Bounds bounds = pressure_bounds(rows.steps, count_, {-half, half});
         const Eigen::VectorXd correction = pressure - response_of(rows).pressure.head(count_);
@@ -334,11 +317,9 @@ std::optional<ReportedResponse> respond_by_line(const Profile& map, const Model&
     AccuracyReport& account = result.account;
     const Eigen::VectorXd& pressure = result.response.pressure;
     try {
-        const auto displacements =
-            step_displacements(by_reach ? map : of.line, model.body, loading, model.contact);
+        const auto displacements = step_displacements(by_reach ? map : of.line, model.body, loading, model.contact);
         ContactCurve curve = solve_contact(of.line, model.body, displacements, model.contact);
-        result.response =
-            response_of(curve.steps, curve.solver, displacement_range(map, model.body.kernel), HUGE_VAL);
+        result.response = response_of(curve.steps, curve.solver, displacement_range(map, model.body.kernel), HUGE_VAL);
         result.last_contact = std::move(curve.last_contact);
         const Bounds bounds = pressure_bounds(of.line, of.window, model.body, displacements, model.contact);
         const Doubt solved =
@@ -377,8 +358,7 @@ ReportedResponse respond_within(const Profile& whole, const SumOfWaves& surface,
         answering = surface;
         answered = solver.by_coarser_grids(answering);
     }
-    if (!answered)
-        solver.by_resolved_grid(exact ? 0 : miscounted);
+    if (!answered) solver.by_resolved_grid(exact ? 0 : miscounted);
     ReportedResponse result = solver.answer();
     result.account.used = answering.used;
     result.account.dropped = answering.dropped;
@@ -401,8 +381,7 @@ ReportedResponse respond_within(const Profile& scan, const Model& given) {
         if (by_line && model.loading.pressures.empty() && !model.loading.to_pressure)
             result.account.line_error = relative_error(by_line->response.pressure, result.response.pressure);
     }
-    if (periodic_map)
-        result.account.aspect_ratio = texture(scan, true).Str;
+    if (periodic_map) result.account.aspect_ratio = texture(scan, true).Str;
     result.account.seconds = clock.seconds();
     return result;
 }

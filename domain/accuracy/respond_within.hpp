@@ -19,7 +19,7 @@ struct SumOfWaves {
     std::function<Profile(const Grid&)> on; ///< samples it on a grid
     std::vector<PlacedWave> used;           ///< waves of the sum
     std::vector<PlacedWave> dropped = {};   ///< waves of the surface that were omitted
-    Window window = {}; ///< window due to the omitted waves, mm; without any its width is 0
+    Window window = {};                     ///< window due to the omitted waves, mm; without any its width is 0
 };
 
 /// A report on how a curve was computed, and on its possible errors. A row is a load step. Errors are
@@ -65,10 +65,9 @@ std::string in_words(const AccuracyReport& account);
 
 /// A response with its account.
 struct ReportedResponse {
-    Response response;      ///< response at each requested displacement
-    AccuracyReport account; ///< errors, grids and rows of the response
-    std::vector<int>
-        last_contact; ///< nodes that touch at the last load step; empty if grids are extrapolated
+    Response response;             ///< response at each requested displacement
+    AccuracyReport account;        ///< errors, grids and rows of the response
+    std::vector<int> last_contact; ///< nodes that touch at the last load step; empty if grids are extrapolated
 };
 
 /// A measured surface's response within model.accuracy on its nodes, or on a line for a periodic map

@@ -25,11 +25,9 @@ struct Tangent {
 
     Tangent(const Eigen::VectorXd& stiffness, const Eigen::MatrixXd* influence) {
         for (Index i = 0; i < stiffness.size(); ++i)
-            if (stiffness[i] > 0)
-                touching.push_back(i);
+            if (stiffness[i] > 0) touching.push_back(i);
         root = stiffness(touching).cwiseSqrt();
-        if (!influence)
-            return;
+        if (!influence) return;
         Eigen::MatrixXd matrix = root.asDiagonal() * (*influence)(touching, touching) * root.asDiagonal();
         matrix.diagonal().array() += 1;
         factor.emplace(matrix);
@@ -66,10 +64,8 @@ Grid grid_of(const CapArray& array) {
             .width = array.pitch * static_cast<double>(array.rows)};
 }
 
-CapContact::CapContact(const CapArray& array, double effective_modulus, CapModel model)
-    : modulus_(effective_modulus) {
-    if (model == CapModel::independent)
-        return;
+CapContact::CapContact(const CapArray& array, double effective_modulus, CapModel model) : modulus_(effective_modulus) {
+    if (model == CapModel::independent) return;
     Eigen::MatrixXd influence = Eigen::MatrixXd::Zero(array.caps(), array.caps());
     for (Index i = 0; i < array.caps(); ++i)
         for (Index j = 0; j < i; ++j)
@@ -79,8 +75,7 @@ CapContact::CapContact(const CapArray& array, double effective_modulus, CapModel
 }
 
 CapState CapContact::at_load(const Caps& caps, double load, const CapState* start) const {
-    if (start)
-        return solve(caps, load, start->plane, start);
+    if (start) return solve(caps, load, start->plane, start);
     if (influence_) { // one cap's plane would be far too deep for many caps
         const CapState alone = CapContact(caps.array, modulus_, CapModel::independent).at_load(caps, load);
         return solve(caps, load, alone.plane, &alone);
@@ -106,8 +101,7 @@ CapState CapContact::solve(const Caps& caps, double load, double plane, const Ca
     const auto state_at = [&](const Eigen::VectorXd& depth, double at_plane) {
         State state{at_plane, depth, forces(caps, depth, modulus_), {}, 0};
         state.residual = depth.array() + at_plane - caps.heights.array();
-        if (influence)
-            state.residual.noalias() += *influence * state.force;
+        if (influence) state.residual.noalias() += *influence * state.force;
         state.error = std::max(state.residual.cwiseAbs().maxCoeff() / scale,
                                load > 0 ? std::abs(state.force.sum() / load - 1) : 0.0);
         return state;
@@ -122,8 +116,7 @@ CapState CapContact::solve(const Caps& caps, double load, double plane, const Ca
             const Eigen::VectorXd area = pi * caps.radii.array() * now.depth.array().max(0);
             return CapState{now.plane, now.depth, now.force, area, stiffness};
         };
-        if (now.error <= converged || round == max_rounds)
-            return result();
+        if (now.error <= converged || round == max_rounds) return result();
         Eigen::VectorXd change = tangent.forces(-now.residual(tangent.touching));
         double rise = 0; // change of the plane
         if (load > 0 && stiffness > 0) {
@@ -131,8 +124,7 @@ CapState CapContact::solve(const Caps& caps, double load, double plane, const Ca
             change -= rise * unit;
         }
         Eigen::VectorXd step = -now.residual.array() - rise;
-        if (influence)
-            step.noalias() -= (*influence)(Eigen::all, tangent.touching) * change;
+        if (influence) step.noalias() -= (*influence)(Eigen::all, tangent.touching) * change;
         State next = now;
         for (double share = 1; !(next.error < now.error) && share > 4e-4; share /= 2)
             next = state_at(now.depth + share * step, now.plane + share * rise);
@@ -141,8 +133,8 @@ CapState CapContact::solve(const Caps& caps, double load, double plane, const Ca
         else if (now.error <= 1e-11) // as near as rounding allows
             return result();
         else
-            throw NotConverged("asperities: Newton's method stops at a relative residual of " +
-                               line_of(now.error) + "; increase the pitch");
+            throw NotConverged("asperities: Newton's method stops at a relative residual of " + line_of(now.error) +
+                               "; increase the pitch");
     }
 }
 
@@ -187,18 +179,16 @@ Profile map_of(const Caps& caps, double nodes, bool spheres, double depth) {
             const double x = (static_cast<double>(i) + 0.5) * spacing - array.x(cap),
                          y = (static_cast<double>(j) + 0.5) * spacing - array.y(cap), square = x * x + y * y,
                          radius = caps.radii[cap];
-            const double below = !spheres ? square / (2 * radius)
-                                 : square < radius * radius
-                                     ? square / (radius + std::sqrt(radius * radius - square))
-                                     : HUGE_VAL;
+            const double below = !spheres                   ? square / (2 * radius)
+                                 : square < radius * radius ? square / (radius + std::sqrt(radius * radius - square))
+                                                            : HUGE_VAL;
             map.heights[j * columns + i] = std::max(caps.heights[cap] - below, base);
         }
     return map;
 }
 
-std::vector<MeshedCaps> pressed_on_mesh(const Caps& caps, double effective_modulus,
-                                        const std::vector<double>& at, bool loads, double nodes,
-                                        const ContactOptions& given) {
+std::vector<MeshedCaps> pressed_on_mesh(const Caps& caps, double effective_modulus, const std::vector<double>& at,
+                                        bool loads, double nodes, const ContactOptions& given) {
     const Profile map = map_of(caps, nodes, false, HUGE_VAL);
     const Extent shape = map.shape();
     const double cell = map.spacing * map.spacing;
@@ -211,10 +201,9 @@ std::vector<MeshedCaps> pressed_on_mesh(const Caps& caps, double effective_modul
     ContactOptions options = given;
     options.states = true;
     std::vector<double> pressures = at;
-    for (double& pressure : pressures)
-        pressure /= nominal;
-    const ContactCurve curve = loads ? solve_contact_at_pressures(map, body, pressures, options)
-                                     : solve_contact(map, body, at, options);
+    for (double& pressure : pressures) pressure /= nominal;
+    const ContactCurve curve =
+        loads ? solve_contact_at_pressures(map, body, pressures, options) : solve_contact(map, body, at, options);
     std::vector<MeshedCaps> all;
     for (std::size_t s = 0; s < at.size(); ++s) {
         const auto& [contact, pressure, tangent] = curve.states[s];

@@ -13,12 +13,9 @@ double GeneRange::nearest(double value) const {
 
 double value_of(const CapSetup& setup, Quantity quantity, double load, double area, double stiffness) {
     const double nominal = setup.array.nominal_area();
-    if (quantity == Quantity::load_at_displacement)
-        return load / nominal;
-    if (is_contact_fraction(quantity))
-        return area / nominal;
-    if (quantity == Quantity::stiffness)
-        return stiffness / nominal;
+    if (quantity == Quantity::load_at_displacement) return load / nominal;
+    if (is_contact_fraction(quantity)) return area / nominal;
+    if (quantity == Quantity::stiffness) return stiffness / nominal;
     const Grid grid = grid_of(setup.array);
     const double full = full_contact_stiffness(
         {Eigen::VectorXd::Zero(grid.shape().nodes()), grid.spacing(), grid.rows, grid.row_spacing()},
@@ -30,8 +27,7 @@ Caps caps_of(const CapSetup& setup, const CapGenome& genome) {
     const Index n = setup.array.caps();
     const Eigen::Map<const Eigen::VectorXd> genes(genome.data(), static_cast<Index>(genome.size()));
     return {setup.array, genes.head(n),
-            setup.radii.is_free() ? Eigen::VectorXd(genes.tail(n))
-                                  : Eigen::VectorXd::Constant(n, setup.radii.from)};
+            setup.radii.is_free() ? Eigen::VectorXd(genes.tail(n)) : Eigen::VectorXd::Constant(n, setup.radii.from)};
 }
 
 CapCurve curve_of(const CapSetup& setup, const Target& target, const CapGenome& genome, CapModel model,
@@ -58,8 +54,7 @@ CapCurve curve_of(const CapSetup& setup, const Target& target, const CapGenome& 
             // The plane moves so that the load stays, or with the highest summit.
             const double per_load = target.against_pressure() ? -of.by_plane() / slopes.load.by_plane() : 0;
             Eigen::VectorXd by_heights = of.by_heights + per_load * slopes.load.by_heights;
-            if (!target.against_pressure())
-                by_heights[highest] += of.by_plane();
+            if (!target.against_pressure()) by_heights[highest] += of.by_plane();
             const double scale = target.quantity == Quantity::interface_stiffness
                                      ? std::pow(curve.values[k] * nominal / state.stiffness, 2) / nominal
                                      : 1 / nominal;
@@ -78,8 +73,7 @@ Eigen::ArrayXd interaction_factor(const CapSetup& setup, const Target& target, c
 }
 
 CapSetup with_independent_caps(CapSetup setup, const CapGenome* like) {
-    if (!only_areas(setup) || setup.model == CapModel::independent)
-        return setup;
+    if (!only_areas(setup) || setup.model == CapModel::independent) return setup;
     for (Target& target : setup.targets)
         if (like) {
             const Eigen::VectorXd factor = interaction_factor(setup, target, *like);
@@ -102,18 +96,15 @@ CapProblem::CapProblem(CapSetup setup) : setup_(std::move(setup)) {
     const CapArray& array = setup_.array;
     if (array.columns < 1 || array.rows < 1 || array.caps() > 4096)
         refuse_value("asperities", array.columns, "x", array.rows, " is out of range; give 1 to 4096 caps");
-    if (!(array.pitch > 0))
-        refuse_value("pitch", array.pitch, " mm is not above 0; give a distance");
+    if (!(array.pitch > 0)) refuse_value("pitch", array.pitch, " mm is not above 0; give a distance");
     expect_range("heights", setup_.heights, -1e6);
     expect_range("radii", setup_.radii, 1e-9);
-    if (setup_.targets.empty())
-        throw InputError("target: none given; give at least one");
-    for (const Target& target : setup_.targets)
-        validate(target);
+    if (setup_.targets.empty()) throw InputError("target: none given; give at least one");
+    for (const Target& target : setup_.targets) validate(target);
     objectives_ = {{"similarity", min_similarity}};
     for (std::size_t t = 0; t < setup_.targets.size(); ++t)
-        objectives_.push_back({"goal" + std::to_string(t + 1),
-                               [t](const Outcome& outcome) { return rough::similarity(outcome[t]); }});
+        objectives_.push_back(
+            {"goal" + std::to_string(t + 1), [t](const Outcome& outcome) { return rough::similarity(outcome[t]); }});
     const auto caps = static_cast<std::size_t>(setup_.array.caps());
     for (std::size_t g = 0; g < (setup_.radii.is_free() ? 2 : 1) * caps; ++g)
         bounds_.push_back({g, range(g).from, range(g).to});
@@ -133,14 +124,12 @@ CapProblem::Outcome CapProblem::evaluate(const Genome& genome) const {
 ga::Sensitivity CapProblem::sensitivity(const Genome& genome, const std::string& objective) const {
     std::vector<ga::Sensitivity> parts;
     for (std::size_t t = 0; t < setup_.targets.size(); ++t) {
-        if (objective != "similarity" && objective != objectives_[t + 1].name)
-            continue;
+        if (objective != "similarity" && objective != objectives_[t + 1].name) continue;
         const Target& target = setup_.targets[t];
         const CapCurve curve = curve_of(setup_, target, genome, setup_.model, true);
         ga::Sensitivity rows{misfit(target, curve.values), curve.by_genes};
         for (Index k = 0; k < target.points(); ++k)
-            rows.jacobian.row(k) *=
-                target.has_band() && rows.residuals[k] == 0 ? 0 : target.weight / target.y[k];
+            rows.jacobian.row(k) *= target.has_band() && rows.residuals[k] == 0 ? 0 : target.weight / target.y[k];
         parts.push_back(std::move(rows));
     }
     return stacked(parts);
@@ -186,8 +175,7 @@ std::vector<OutOfReach> out_of_reach(const CapSetup& setup) {
     const double nominal = setup.array.nominal_area(), modulus = setup.effective_modulus;
     const auto caps = static_cast<double>(setup.array.caps());
     for (const Target& target : setup.targets) {
-        if (target.quantity != Quantity::area_at_pressure)
-            continue;
+        if (target.quantity != Quantity::area_at_pressure) continue;
         OutOfReach worst;
         for (Index k = 0; k < target.points(); ++k) {
             const double force = target.x[k] * nominal, area = target.y[k] * nominal;
@@ -197,20 +185,19 @@ std::vector<OutOfReach> out_of_reach(const CapSetup& setup) {
                          bound = 1 - std::abs(misfit(target, k, nearest / nominal));
             if (bound < worst.bound)
                 worst = {line_of("area ", area, " mm2 under ", force, " N is ",
-                                 area < min ? "below the least, " : "above the largest, ", nearest,
-                                 " mm2, of ", setup.array.caps(), " caps"),
+                                 area < min ? "below the least, " : "above the largest, ", nearest, " mm2, of ",
+                                 setup.array.caps(), " caps"),
                          {target.x[k]},
                          bound,
                          false};
         }
-        if (worst.bound < 1 - 1e-6)
-            found.push_back(worst);
+        if (worst.bound < 1 - 1e-6) found.push_back(worst);
     }
     return found;
 }
 
-std::vector<HeightTolerance> height_tolerance(const CapSetup& setup, const CapGenome& genome,
-                                              std::uint64_t seed, int draws, int threads) {
+std::vector<HeightTolerance> height_tolerance(const CapSetup& setup, const CapGenome& genome, std::uint64_t seed,
+                                              int draws, int threads) {
     const CapProblem problem(with_independent_caps(setup, &genome)); // takes less time
     const auto error_under = [&](double rms) {
         std::vector<double> errors(static_cast<std::size_t>(draws));

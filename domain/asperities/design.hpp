@@ -36,8 +36,8 @@ struct CapSetup {
 
 /// Whether all targets are areas against pressure. Independent caps are wrong for all other quantities.
 inline bool only_areas(const CapSetup& setup) {
-    return std::ranges::all_of(
-        setup.targets, [](const Target& target) { return target.quantity == Quantity::area_at_pressure; });
+    return std::ranges::all_of(setup.targets,
+                               [](const Target& target) { return target.quantity == Quantity::area_at_pressure; });
 }
 Caps caps_of(const CapSetup& setup, const CapGenome& genome); ///< the caps of a genome
 
@@ -146,7 +146,7 @@ struct HeightTolerance {
     double rms = 0;   ///< standard deviation, mm; 0 if the misfit is larger even without errors
 };
 /// The tolerances of a design under its model. All levels use the same `draws` draws.
-std::vector<HeightTolerance> height_tolerance(const CapSetup& setup, const CapGenome& genome,
-                                              std::uint64_t seed = 1, int draws = 100, int threads = 0);
+std::vector<HeightTolerance> height_tolerance(const CapSetup& setup, const CapGenome& genome, std::uint64_t seed = 1,
+                                              int draws = 100, int threads = 0);
 
 } // namespace rough

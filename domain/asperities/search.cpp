@@ -33,8 +33,7 @@ double cost_of(const Eigen::VectorXd& r) {
 Eigen::VectorXd rounded(const ga::Landscape& land, const CapProblem& problem, std::size_t evaluations) {
     const auto range = [&](Index i) { return problem.range(static_cast<std::size_t>(i)); };
     Eigen::VectorXd best = land.start, centre = best; // the linear model is around `centre`
-    for (Index i = 0; i < best.size(); ++i)
-        best[i] = range(i).nearest(best[i]);
+    for (Index i = 0; i < best.size(); ++i) best[i] = range(i).nearest(best[i]);
     auto model = land.sensitivity(centre);
     double lowest = HUGE_VAL; // cost of `best`
     Index moves = 4 * best.size();
@@ -47,19 +46,15 @@ Eigen::VectorXd rounded(const ga::Landscape& land, const CapProblem& problem, st
             for (Index i = 0; i < x.size(); ++i)
                 for (const double step : {range(i).step, -range(i).step}) {
                     const double to = range(i).nearest(x[i] + step);
-                    if (to == x[i] || failed.contains({i, to}))
-                        continue;
+                    if (to == x[i] || failed.contains({i, to})) continue;
                     const double next = cost_of(r + (to - x[i]) * model->jacobian.col(i));
-                    if (next < lowest)
-                        lowest = next, move = {i, to}, by = to - x[i];
+                    if (next < lowest) lowest = next, move = {i, to}, by = to - x[i];
                 }
-            if (by == 0)
-                break;
+            if (by == 0) break;
             x[move.first] = move.second;
             r += by * model->jacobian.col(move.first);
         }
-        if (x == best && lowest < HUGE_VAL)
-            break;
+        if (x == best && lowest < HUGE_VAL) break;
         const auto at = land.sensitivity(x);
         const double cost = at ? cost_of(at->residuals) : HUGE_VAL;
         if (cost < lowest || lowest == HUGE_VAL) {
@@ -83,21 +78,17 @@ CapPipeline round_stage(std::size_t evaluations) {
     };
     stage.apply = [evaluations](CapDesigns designs, ga::Context<CapProblem>& context) {
         const CapProblem& problem = context.problem();
-        const ga::Method rounding{
-            "round", [&](const ga::Landscape& land) { return rounded(land, problem, evaluations); }};
+        const ga::Method rounding{"round",
+                                  [&](const ga::Landscape& land) { return rounded(land, problem, evaluations); }};
         ga::Rounds<CapProblem>::run(designs.size(), context.queue(), context.ledger().evaluator().threads(),
                                     [&](std::size_t i, ga::EvaluationQueue<CapProblem>& queue) {
-                                        if (designs[i].fitness.has_failed())
-                                            return;
-                                        auto found = ga::Search<CapProblem>(
-                                                         problem, queue, context.watch(), designs[i],
-                                                         problem.bounds(designs[i].genome), 1 << 20)
+                                        if (designs[i].fitness.has_failed()) return;
+                                        auto found = ga::Search<CapProblem>(problem, queue, context.watch(), designs[i],
+                                                                            problem.bounds(designs[i].genome), 1 << 20)
                                                          .by(rounding, 0);
-                                        if (found)
-                                            designs[i].genome = std::move(*found);
+                                        if (found) designs[i].genome = std::move(*found);
                                     });
-        for (auto& design : designs)
-            context.make_child(design, ga::Parents(design.identity));
+        for (auto& design : designs) context.make_child(design, ga::Parents(design.identity));
         return designs;
     };
     return stage;
@@ -109,8 +100,7 @@ struct ExchangeCaps : ga::NoParameters {
     static ga::Words words() {
         return {"exchange", "asperities", "exchanges the places of caps, which changes interaction only"};
     }
-    bool operator()(const CapProblem& problem, CapGenome& genome, const ga::Chance& chance,
-                    ga::Stream& random) const {
+    bool operator()(const CapProblem& problem, CapGenome& genome, const ga::Chance& chance, ga::Stream& random) const {
         const CapGenome before = genome;
         const auto caps = static_cast<std::size_t>(problem.setup().array.caps());
         chance.each(caps, random, [&](std::size_t a) {
@@ -125,8 +115,7 @@ struct ExchangeCaps : ga::NoParameters {
 /// Runs `body` with_independent_caps(), with targets corrected for the first individual if `corrected`.
 CapPipeline independent_stage(const std::string& name, const CapPipeline& body, bool corrected) {
     return ga::derived_stage<CapProblem>(
-        name, body,
-        [corrected](CapDesigns designs, const CapPipeline& stages, ga::Context<CapProblem>& context) {
+        name, body, [corrected](CapDesigns designs, const CapPipeline& stages, ga::Context<CapProblem>& context) {
             const CapGenome* like = corrected && !designs.empty() ? &designs.front().genome : nullptr;
             const CapProblem problem(with_independent_caps(context.problem().setup(), like));
             if (like) // its curves by both models
@@ -145,15 +134,13 @@ CapVerification verified(const CapSetup& setup, const CapGenome& genome, const C
     std::vector<Index> points{0, target.points() / 2, target.points() - 1};
     points.erase(std::unique(points.begin(), points.end()), points.end());
     std::vector<double> at;
-    for (const Index k : points)
-        at.push_back(target.x[k] * (target.against_pressure() ? nominal : 1));
+    for (const Index k : points) at.push_back(target.x[k] * (target.against_pressure() ? nominal : 1));
     CapVerification found;
     try {
-        found.meshed = pressed_on_mesh(caps, setup.effective_modulus, at, target.against_pressure(),
-                                       setup.nodes, options);
+        found.meshed =
+            pressed_on_mesh(caps, setup.effective_modulus, at, target.against_pressure(), setup.nodes, options);
     } catch (const NotConverged&) {
-        if (!is_stopped(options))
-            throw;
+        if (!is_stopped(options)) throw;
         return found; // not verified
     }
     found.similarity = 1;
@@ -163,8 +150,8 @@ CapVerification verified(const CapSetup& setup, const CapGenome& genome, const C
         found.similarity = std::min(found.similarity, 1 - std::abs(misfit(target, points[s], value)));
         const CapState state = contact.at_load(caps, mesh.load);
         found.area_error = std::max(found.area_error, std::abs(state.total_area() / mesh.area.sum() - 1));
-        found.force_error = std::max(found.force_error, (state.force - mesh.force).cwiseAbs().maxCoeff() /
-                                                            mesh.force.maxCoeff());
+        found.force_error =
+            std::max(found.force_error, (state.force - mesh.force).cwiseAbs().maxCoeff() / mesh.force.maxCoeff());
         found.states.push_back(state);
     }
     found.seconds = clock.seconds();
@@ -182,11 +169,11 @@ ga::Registry<CapProblem> cap_registry() {
     for (const auto& [name, meaning] :
          {std::pair("independent", "runs the pipeline without interaction of caps, for areas at pressures"),
           {"corrected", "as independent, with targets corrected for the first individual's interaction"}})
-        registry.add({name, "asperities", meaning, {}, "", 1},
-                     [name = std::string(name)](const ga::Arguments&, const std::vector<CapPipeline>& bodies,
-                                                const auto&...) {
-                         return independent_stage(name, bodies[0], name == "corrected");
-                     });
+        registry.add(
+            {name, "asperities", meaning, {}, "", 1},
+            [name = std::string(name)](const ga::Arguments&, const std::vector<CapPipeline>& bodies, const auto&...) {
+                return independent_stage(name, bodies[0], name == "corrected");
+            });
     registry.add<ga::Mutate<ExchangeCaps>>();
     return registry;
 }
@@ -200,14 +187,13 @@ ga::Variants cap_variants(const CapSetup& setup) {
                        "refine lm 150 sharpen=30 } | score | best 3 | refine lm 30 sharpen=1 | round 200 | "
                        "score | best 1";
     const double enough = 1 - 0.5 * (1 - setup.required_similarity);
-    const bool is_beyond = std::ranges::any_of(
-        out_of_reach(setup), [&](const OutOfReach& reason) { return reason.bound < enough; });
+    const bool is_beyond =
+        std::ranges::any_of(out_of_reach(setup), [&](const OutOfReach& reason) { return reason.bound < enough; });
     variants["default"] =
         "pass" +
         (is_beyond ? "" // further passes would not reach it
                    : " | until fitness " + ga::number(enough) + " generations 4 { pass | plus 1 }" +
-                         (setup.positions ? " | repeat 30 { parents | mutate 0.05 exchange | score | plus 1 }"
-                                          : ""));
+                         (setup.positions ? " | repeat 30 { parents | mutate 0.05 exchange | score | plus 1 }" : ""));
     variants["genetic"] = "independent { sample 50 | score | repeat 500 { tournament 2 | cross uniform | "
                           "mutate 0.03 | score | elite 2 } | best 3 } | score";
     return variants;
@@ -228,13 +214,12 @@ CapSearch search(const CapSetup& setup, const SearchOptionsOf<CapProblem>& optio
         starts.push_back(problem.sample(random));
     }
     Exploration<CapProblem> explored(problem, 1, "similarity");
-    explored.run(pipeline, variants.count(text) ? text : "pipeline", starts, options,
-                 search_share * options.seconds, std::move(observers));
+    explored.run(pipeline, variants.count(text) ? text : "pipeline", starts, options, search_share * options.seconds,
+                 std::move(observers));
     static_cast<SearchRun&>(result) = explored.spent;
 
     const auto on_steps = [&](CapGenome genome) {
-        for (std::size_t g = 0; g < genome.size(); ++g)
-            genome[g] = problem.range(g).nearest(genome[g]);
+        for (std::size_t g = 0; g < genome.size(); ++g) genome[g] = problem.range(g).nearest(genome[g]);
         return genome;
     };
     const auto offer = [&](const CapGenome& genome) {
@@ -243,8 +228,7 @@ CapSearch search(const CapSetup& setup, const SearchOptionsOf<CapProblem>& optio
         return similarities(misfits);
     };
     std::vector<ga::Point> points;
-    for (CapGenome& genome : explored.front)
-        points.push_back(offer(genome = on_steps(genome)));
+    for (CapGenome& genome : explored.front) points.push_back(offer(genome = on_steps(genome)));
     auto& seen = explored.seen.members;
     const CapGenome nearest = seen.empty() ? explored.nearest.value_or(starts.front()) : seen.front().genome;
     std::erase_if(seen, [&](const auto& one) { return one.genome != on_steps(one.genome); });
@@ -252,8 +236,7 @@ CapSearch search(const CapSetup& setup, const SearchOptionsOf<CapProblem>& optio
         offer(on_steps(nearest));
     const auto ranks = ga::pareto_ranks(points);
     for (std::size_t i = 0; i < ranks.size() && result.front.size() < max_compromises; ++i)
-        if (ranks[i] == 0)
-            result.front.emplace_back(explored.front[i], points[i]);
+        if (ranks[i] == 0) result.front.emplace_back(explored.front[i], points[i]);
     result.best = {seen.front().genome, seen.front().value()};
     result.alternatives = {result.best};
     const double range = std::max(setup.heights.to - setup.heights.from, 1e-300);

@@ -21,8 +21,7 @@ const std::string& name_of(Kernel kernel) { return kernel_names()[static_cast<st
 Kernel kernel_named(const std::string& name, const std::string& where) {
     const auto& names = kernel_names();
     const auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end())
-        throw InputError(where + ": '" + name + "' is unknown; choose free, periodic or strip");
+    if (found == names.end()) throw InputError(where + ": '" + name + "' is unknown; choose free, periodic or strip");
     return static_cast<Kernel>(found - names.begin());
 }
 
@@ -35,10 +34,8 @@ double datum_sensitivity(double stiffness, double length, double effective_modul
 }
 
 Body completed(Body body, double length) {
-    if (body.kernel == Kernel::free)
-        body.datum = body.datum.value_or(length);
-    if (body.kernel == Kernel::strip)
-        body.strip_width = body.strip_width.value_or(length / 511);
+    if (body.kernel == Kernel::free) body.datum = body.datum.value_or(length);
+    if (body.kernel == Kernel::strip) body.strip_width = body.strip_width.value_or(length / 511);
     return body;
 }
 
@@ -48,15 +45,13 @@ void validate(const Body& body, Index nodes, double spacing) {
             refuse_value(what, value, unit, " is out of range (a positive finite ", quantity, ")");
     };
     expect_positive("modulus", body.effective_modulus, " MPa", "effective modulus");
-    if (!(body.hardness > 0))
-        refuse_value("hardness", body.hardness, " MPa is out of range (above 0)");
+    if (!(body.hardness > 0)) refuse_value("hardness", body.hardness, " MPa is out of range (above 0)");
     const double limit = spacing * static_cast<double>(nodes) / 4;
     const double datum = body.datum.value_or(0);
     if (body.kernel == Kernel::free && !(datum > limit && std::isfinite(datum)))
         refuse_value("datum", datum, " mm is out of range (above ", limit,
                      " mm, (L + spacing)/4, for a unique solution of the free half-plane)");
-    if (body.kernel == Kernel::strip)
-        expect_positive("strip width", body.strip_width.value_or(0), " mm", "length");
+    if (body.kernel == Kernel::strip) expect_positive("strip width", body.strip_width.value_or(0), " mm", "length");
     const Layering& layering = body.layering;
     if (!layering.layers.empty() && body.kernel != Kernel::periodic)
         throw InputError("layers need a periodic body; choose --kernel periodic", "layer");
@@ -66,8 +61,7 @@ void validate(const Body& body, Index nodes, double spacing) {
         expect_positive("layer", layer.thickness, " mm", "thickness");
         expect_positive("layer", layer.modulus, " MPa", "modulus");
         if (!(layer.poissons_ratio > -1 && layer.poissons_ratio <= 0.5))
-            refuse_value("layer", "Poisson's ratio ", layer.poissons_ratio,
-                         " is out of range (above -1, up to 0.5)");
+            refuse_value("layer", "Poisson's ratio ", layer.poissons_ratio, " is out of range (above -1, up to 0.5)");
     }
 }
 
@@ -89,8 +83,7 @@ std::array<Derivatives<Real>, 2> decaying(Real s, bool up) {
 /// that are continuous. `softness` is (1 + nu)/E in units of that modulus.
 template <class Real>
 Eigen::Matrix<Real, 4, 1> state(const Derivatives<Real>& g, Real nu, Real softness) {
-    return {-g[0], g[1], softness * ((1 - nu) * g[2] + nu * g[0]),
-            softness * ((1 - nu) * g[3] + (nu - 2) * g[1])};
+    return {-g[0], g[1], softness * ((1 - nu) * g[2] + nu * g[0]), softness * ((1 - nu) * g[3] + (nu - 2) * g[1])};
 }
 
 /// Displacement of the top under a unit traction, times q and the modulus. A linear system gives it, with
@@ -105,8 +98,7 @@ Real top_displacement(const Layering& layering, double modulus, double q, Tracti
     Eigen::Matrix<Real, 4, 4> top, first_top;
     for (Eigen::Index k = 0; k < layers; ++k) {
         const Layer& layer = layering.layers[static_cast<std::size_t>(k)];
-        const Real nu = layer.poissons_ratio, softness = (1 + nu) * modulus / layer.modulus,
-                   h = q * layer.thickness;
+        const Real nu = layer.poissons_ratio, softness = (1 + nu) * modulus / layer.modulus, h = q * layer.thickness;
         Eigen::Matrix<Real, 4, 4> bottom;
         for (Eigen::Index c = 0; c < 4; ++c) {
             const auto which = static_cast<std::size_t>(c % 2);
@@ -148,8 +140,7 @@ Layering in_units(Layering layering, double length, double pressure) {
 }
 
 double relative_compliance(const Layering& layering, double effective_modulus, double q, Traction traction) {
-    if (layering.layers.empty())
-        return 1;
+    if (layering.layers.empty()) return 1;
     constexpr double deep = 40;  // e^-40 is negligible against 1
     constexpr double thin = 0.1; // the four functions of a thin layer are nearly the same
     Layering seen = layering;    // down to the depth that the wave reaches
@@ -162,9 +153,8 @@ double relative_compliance(const Layering& layering, double effective_modulus, d
     const bool is_thin = std::any_of(seen.layers.begin(), seen.layers.end(),
                                      [&](const Layer& layer) { return q * layer.thickness < thin; });
     const double modulus = effective_modulus * (1 - layering.poissons_ratio * layering.poissons_ratio),
-                 displacement =
-                     is_thin ? static_cast<double>(top_displacement<long double>(seen, modulus, q, traction))
-                             : top_displacement<double>(seen, modulus, q, traction);
+                 displacement = is_thin ? static_cast<double>(top_displacement<long double>(seen, modulus, q, traction))
+                                        : top_displacement<double>(seen, modulus, q, traction);
     return displacement / modulus * effective_modulus / 2;
 }
 

@@ -45,8 +45,7 @@ double relative_compliance(const Layering& layering, double effective_modulus, d
 
 /// The mean compliance E* u/P, in the layers' unit of length: u is the displacement under a uniform traction
 /// P on a rigid base (README.md). It is 0 on a half-space, whose displacement is relative to the mean.
-double mean_compliance(const Layering& layering, double effective_modulus,
-                       Traction traction = Traction::normal);
+double mean_compliance(const Layering& layering, double effective_modulus, Traction traction = Traction::normal);
 
 /// Which elastic body the profile is pressed on.
 enum class Kernel {

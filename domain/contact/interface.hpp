@@ -14,13 +14,12 @@ struct Interface {
     Eigen::VectorXd pressure; ///< pressure at every node, MPa; 0 at nodes that do not touch
     Eigen::VectorXd gap;      ///< gap between the deformed body and the surface, mm; about 0 in contact
     Index spots = 0;          ///< number of contact spots; on a periodic body a spot may include both ends
-    double widest = 0; ///< width of the widest spot of a line, mm; for a map the area of the largest, mm^2
+    double widest = 0;        ///< width of the widest spot of a line, mm; for a map the area of the largest, mm^2
 };
 
 /// The interface at a load step from solve_contact(), with its state and the same surface and body. The gap
 /// is u - (Delta - g0), with u computed from the pressures by FFT. Zeros of the body get their defaults.
-Interface interface_at(const Profile& surface, const Body& body, const LoadStep& step,
-                       const ContactState& state);
+Interface interface_at(const Profile& surface, const Body& body, const LoadStep& step, const ContactState& state);
 
 /// A contact fraction that changes smoothly with the heights. It has a gradient, unlike a count of nodes. The
 /// edge of contact between a touching node i and a free neighbour k is at the fraction d/(d + e) of their

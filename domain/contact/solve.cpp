@@ -34,26 +34,23 @@ LoadStep load_step(const ContactProblem& problem, double displacement, const Ste
 }
 
 /// The curve in MPa and mm, at the given displacements (mm) or, under load control, those found.
-ContactCurve in_units(const ContactProblem& problem, const std::vector<double>& displacements,
-                      Solution solution, Solver solver, const ContactOptions& options) {
+ContactCurve in_units(const ContactProblem& problem, const std::vector<double>& displacements, Solution solution,
+                      Solver solver, const ContactOptions& options) {
     ContactCurve curve;
     curve.solver = solver;
     curve.iterations = solution.iterations;
-    if (!solution.steps.empty())
-        curve.last_contact = solution.steps.back().nodes;
+    if (!solution.steps.empty()) curve.last_contact = solution.steps.back().nodes;
     for (std::size_t j = 0; j < solution.steps.size(); ++j) {
         StepSolution& found = solution.steps[j];
         curve.steps.push_back(load_step(
-            problem, problem.load.empty() ? displacements[j] : found.approach * problem.displacement_unit,
-            found));
+            problem, problem.load.empty() ? displacements[j] : found.approach * problem.displacement_unit, found));
         if (options.spots)
-            curve.steps.back().spot_width =
-                spot_width(found.nodes, problem.shape, problem.kernel == Kernel::periodic);
+            curve.steps.back().spot_width = spot_width(found.nodes, problem.shape, problem.kernel == Kernel::periodic);
         if (options.states) {
             // w = H_AA^-1 1 in MPa/mm, so that dP/dDelta = sum w over L/delta, on a map over N
             const double tangent_unit = problem.stiffness_unit * problem.elements;
-            curve.states.push_back({std::move(found.nodes), found.pressure * problem.pressure_unit,
-                                    found.tangent * tangent_unit});
+            curve.states.push_back(
+                {std::move(found.nodes), found.pressure * problem.pressure_unit, found.tangent * tangent_unit});
         }
     }
     return curve;
@@ -79,21 +76,19 @@ bool takes_loads(Solver solver, const ContactProblem& problem) {
 /// Solves the loads of a problem that a solver does not take, by Newton's method.
 using Newton = std::function<void(Solver, Solution&)>;
 
-void solve_with(Solver solver, const ContactProblem& problem, const ContactOptions& options,
-                const Newton& newton, Solution& solution) {
-    takes_loads(solver, problem) ? row_of(solver).solve(problem, options, solution)
-                                 : newton(solver, solution);
+void solve_with(Solver solver, const ContactProblem& problem, const ContactOptions& options, const Newton& newton,
+                Solution& solution) {
+    takes_loads(solver, problem) ? row_of(solver).solve(problem, options, solution) : newton(solver, solution);
 }
 
 /// `chosen` goes first and becomes the solver used last. If it fails, every other one continues in turn with
 /// the failed step. Each has a limit: factors of memory and work, iterative solvers of iterations. A factor
 /// that was chosen gives up early, and is tried a second time after the active set.
-void solve_by_choice(Solver& chosen, ContactProblem& problem, const ContactOptions& options,
-                     const Newton& newton, Solution& solution) {
+void solve_by_choice(Solver& chosen, ContactProblem& problem, const ContactOptions& options, const Newton& newton,
+                     Solution& solution) {
     std::vector<Solver> order{chosen};
     for (const Solver solver : {Solver::active_set, Solver::nested, Solver::polonsky_keer, Solver::nnls})
-        if (solver != chosen || (solver == Solver::nested && problem.nodes() > always_nested))
-            order.push_back(solver);
+        if (solver != chosen || (solver == Solver::nested && problem.nodes() > always_nested)) order.push_back(solver);
     problem.work_limit = max_nested_work(problem);
     std::vector<double>& steps = problem.load.empty() ? problem.approach : problem.load;
     std::string failures;
@@ -109,19 +104,17 @@ void solve_by_choice(Solver& chosen, ContactProblem& problem, const ContactOptio
         }
         check_stop(options);
         problem.work_limit = 5e10; // multiplications of a factor, which take some seconds
-        steps.erase(steps.begin(),
-                    steps.begin() + static_cast<std::ptrdiff_t>(solution.steps.size() - solved));
+        steps.erase(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(solution.steps.size() - solved));
     }
     throw NotConverged(failures);
 }
 
 /// The steps at zero displacement, then the loaded ones. Solved steps are taken out of the problem.
-Solution solve(Solver& chosen, ContactProblem& problem, const ContactOptions& options,
-               const Newton& newton = {}) {
+Solution solve(Solver& chosen, ContactProblem& problem, const ContactOptions& options, const Newton& newton = {}) {
     const auto loaded = std::upper_bound(problem.approach.begin(), problem.approach.end(), 0.0);
-    const std::vector<StepSolution> touches(
-        static_cast<std::size_t>(loaded - problem.approach.begin()),
-        loaded == problem.approach.begin() ? StepSolution() : first_touch(problem, options));
+    const std::vector<StepSolution> touches(static_cast<std::size_t>(loaded - problem.approach.begin()),
+                                            loaded == problem.approach.begin() ? StepSolution()
+                                                                               : first_touch(problem, options));
     problem.approach.erase(problem.approach.begin(), loaded);
     Solution solution;
     if (std::isfinite(problem.cap) && problem.load.empty())
@@ -129,8 +122,7 @@ Solution solve(Solver& chosen, ContactProblem& problem, const ContactOptions& op
     else if (options.solver == Solver::automatic && !std::isfinite(problem.cap))
         solve_by_choice(chosen, problem, options, newton, solution);
     else {
-        if (chosen == Solver::nested)
-            expect_factor_to_fit(problem, options);
+        if (chosen == Solver::nested) expect_factor_to_fit(problem, options);
         solve_with(chosen, problem, options, newton, solution);
     }
     solution.steps.insert(solution.steps.begin(), touches.begin(), touches.end());
@@ -185,11 +177,9 @@ LoadStep pressed_to(double pressure, double full, const Profile& profile, const 
         const double left = std::abs(pressure - from.pressure);
         // Half the tolerance of an iterative solver, otherwise rounding.
         const double tolerance = is_direct(curve.solver) ? 0 : 0.5 * options.tolerance;
-        if (left <= (body.yields() ? 1e-12 : tolerance) * pressure)
-            return from;
+        if (left <= (body.yields() ? 1e-12 : tolerance) * pressure) return from;
         (from.pressure < pressure ? below : above) = next;
-        if (body.yields() && above - below <= narrowest * above && left <= met_there * pressure)
-            return from;
+        if (body.yields() && above - below <= narrowest * above && left <= met_there * pressure) return from;
         halve = from_above && from.pressure > pressure && left > little * missing;
     }
     throw NotConverged(line_of("no displacement was found for the mean pressure ", pressure,
@@ -199,12 +189,10 @@ LoadStep pressed_to(double pressure, double full, const Profile& profile, const 
 /// The state of full contact under a load, if none of its nodes is under tension or at the hardness. Every
 /// such load has the same displacement. K is that of all nodes except the least loaded one, as just below
 /// full contact.
-std::optional<StepSolution> pressed_flat(double load, const ContactProblem& problem,
-                                         const ContactOptions& options) {
+std::optional<StepSolution> pressed_flat(double load, const ContactProblem& problem, const ContactOptions& options) {
     SurfaceState state(problem.nodes()), tangent(problem.nodes());
     state.pressure = full_contact_pressure(problem).array() + load / static_cast<double>(problem.nodes());
-    if (!(state.pressure.maxCoeff() < problem.cap))
-        return {};
+    if (!(state.pressure.maxCoeff() < problem.cap)) return {};
     Index lowest = 0;
     state.pressure.minCoeff(&lowest);
     state.pressure = state.pressure.cwiseMax(0); // below it by rounding
@@ -225,16 +213,14 @@ std::optional<StepSolution> pressed_flat(double load, const ContactProblem& prob
 /// the factor. 0 if it is not known.
 double first_guess(ContactProblem problem, const ContactOptions& options) {
     constexpr Index fewest = 64, stride = 4, largest = 1024;
-    if (problem.nodes() < fewest)
-        return 0;
+    if (problem.nodes() < fewest) return 0;
     Index highest = 0;
     problem.gap.minCoeff(&highest);
     problem.load.resize(1);
     problem.work_limit = unlimited_work;
     try {
         Solution found;
-        solve_nested(coarsened(problem, std::max(stride, problem.nodes() / largest), highest), options,
-                     found);
+        solve_nested(coarsened(problem, std::max(stride, problem.nodes() / largest), highest), options, found);
         return found.steps[0].approach * problem.displacement_unit;
     } catch (const NotConverged&) { // the coarse grid is in full contact below the load
         check_stop(options);
@@ -252,8 +238,7 @@ void solve_by_newton(const ContactProblem& problem, const Profile& profile, cons
     for (const double load : problem.load) {
         const double pressure = load / problem.elements * problem.pressure_unit;
         flat.push_back(pressure >= full * (1 - 1e-12) ? pressed_flat(load, problem, options) : std::nullopt);
-        if (flat.back())
-            continue;
+        if (flat.back()) continue;
         from = pressed_to(pressure, full, profile, body, options, from);
         displacements.push_back(from.displacement);
     }
@@ -264,8 +249,7 @@ void solve_by_newton(const ContactProblem& problem, const Profile& profile, cons
     solution.iterations += elastic.iterations;
     for (auto [step, j] = std::pair(elastic.steps.begin(), 0U); j < flat.size(); ++j) {
         solution.steps.push_back(flat[j] ? *flat[j] : *step++);
-        if (flat[j])
-            continue;
+        if (flat[j]) continue;
         solution.steps.back().approach *= unit;
         solution.steps.back().pressure *= unit;
     }
@@ -281,8 +265,8 @@ double sum_of_tangents(const ContactProblem& problem) {
     const Eigen::VectorXd image = SplitOperator(problem.column, problem.shape).apply(tangent.pressure);
     const double residual = (image.array() - 1).abs().maxCoeff();
     if (!(residual <= tolerance))
-        throw NotConverged(line_of("full contact did not converge: residual ", residual,
-                                   " is above the tolerance ", tolerance));
+        throw NotConverged(
+            line_of("full contact did not converge: residual ", residual, " is above the tolerance ", tolerance));
     return tangent.pressure.dot((2 - image.array()).matrix());
 }
 
@@ -303,8 +287,7 @@ double known_sum(const Key& key, const ContactProblem& problem) {
 const std::vector<std::string>& solver_names() {
     static const std::vector<std::string> names = [] {
         std::vector<std::string> all;
-        for (const ContactSolver& solver : contact_solvers)
-            all.emplace_back(solver.name);
+        for (const ContactSolver& solver : contact_solvers) all.emplace_back(solver.name);
         return all;
     }();
     return names;
@@ -324,29 +307,26 @@ ContactCurve solve_contact(const Profile& profile, const Body& body, const std::
     return in_units(problem, displacements, std::move(solution), solver, options);
 }
 
-ContactCurve solve_contact_at_pressures(const Profile& profile, const Body& body,
-                                        const std::vector<double>& pressures, const ContactOptions& options) {
+ContactCurve solve_contact_at_pressures(const Profile& profile, const Body& body, const std::vector<double>& pressures,
+                                        const ContactOptions& options) {
     check_options(body, options);
     Team team(useful_threads(profile, options.threads));
     checked_body(profile, body);
-    const double largest =
-        body.hardness * static_cast<double>(profile.nodes()) / elements(profile, body.kernel);
+    const double largest = body.hardness * static_cast<double>(profile.nodes()) / elements(profile, body.kernel);
     double previous = 0;
     for (const double pressure : pressures) {
         if (!std::isfinite(pressure) || !(pressure > previous))
             refuse("mean pressure: ", pressure, " MPa after ", previous,
                    " MPa is not a larger finite value; sort the pressures");
         if (!(pressure < largest))
-            refuse("mean pressure: ", pressure,
-                   " MPa is not below that of all nodes at the hardness; give less than ", largest, " MPa");
+            refuse("mean pressure: ", pressure, " MPa is not below that of all nodes at the hardness; give less than ",
+                   largest, " MPa");
         previous = pressure;
     }
-    if (pressures.empty())
-        return {};
+    if (pressures.empty()) return {};
     ContactProblem problem = make_problem_at(profile, body, pressures, team);
     const double full = body.relative_to_mean() ? full_contact_load(profile, body) : HUGE_VAL;
-    if (!body.yields() && pressures.back() > full)
-        refuse_beyond_full_contact(pressures.back(), full);
+    if (!body.yields() && pressures.back() > full) refuse_beyond_full_contact(pressures.back(), full);
     Solver solver = choose_solver(problem, options);
     const auto newton = [&](Solver by, Solution& solution) {
         ContactOptions with = options;
@@ -357,22 +337,18 @@ ContactCurve solve_contact_at_pressures(const Profile& profile, const Body& body
     return in_units(problem, {}, std::move(solution), solver, options);
 }
 
-double displacement_at_pressure(const Profile& profile, const Body& body, double pressure,
-                                ContactOptions options) {
+double displacement_at_pressure(const Profile& profile, const Body& body, double pressure, ContactOptions options) {
     options.states = false;
     const bool direct =
         options.solver == Solver::automatic ? profile.nodes() <= always_nested : is_direct(options.solver);
     // On a map, and with a hardness, the load is met exactly.
     const double slack = direct || profile.is_2d() || body.yields() ? 0 : 2 * options.tolerance;
-    return solve_contact_at_pressures(profile, body, {pressure * (1 + slack)}, options)
-        .steps.front()
-        .displacement;
+    return solve_contact_at_pressures(profile, body, {pressure * (1 + slack)}, options).steps.front().displacement;
 }
 
-std::vector<LoadStep> solve_partial_slip(const Profile& profile, const Body& body, double displacement,
-                                         double friction, int steps, ContactOptions options) {
-    if (profile.is_2d())
-        refuse("partial slip: the tangential matrix of a map is not known; give a line");
+std::vector<LoadStep> solve_partial_slip(const Profile& profile, const Body& body, double displacement, double friction,
+                                         int steps, ContactOptions options) {
+    if (profile.is_2d()) refuse("partial slip: the tangential matrix of a map is not known; give a line");
     options.states = true;
     const ContactState normal = solve_contact(profile, body, {displacement}, options).states.front();
     ContactProblem problem = make_problem(profile, body, {displacement});
@@ -383,8 +359,7 @@ std::vector<LoadStep> solve_partial_slip(const Profile& profile, const Body& bod
     const Eigen::VectorXd moved = SplitOperator(problem.column, problem.shape).apply(limit);
     const double last = moved(normal.nodes).maxCoeff(); // every node slips
     problem.approach.clear();
-    for (int k = 0; k < steps; ++k)
-        problem.approach.push_back(last * k / steps);
+    for (int k = 0; k < steps; ++k) problem.approach.push_back(last * k / steps);
     options.states = false;
     Solution solution;
     solve_slip(problem, limit, options, solution);
@@ -414,13 +389,11 @@ double full_contact_stiffness(const Profile& surface, const Body& given, int thr
     flat.heights.resize(0); // a large map needs its memory below
     const bool strip = body.kernel == Kernel::strip;
     const double other = strip ? problem.strip_width : problem.row_spacing;
-    const double stiffness = problem.stiffness_unit *
-                             known_sum({body.kernel, problem.nodes(), problem.shape.rows, other}, problem);
-    if (strip || problem.is_2d())
-        return stiffness;
+    const double stiffness =
+        problem.stiffness_unit * known_sum({body.kernel, problem.nodes(), problem.shape.rows, other}, problem);
+    if (strip || problem.is_2d()) return stiffness;
     // 1/K(d) = 1/K(L) + (2 L/(pi E*)) ln(d/L)
-    return 1 / (1 / stiffness -
-                datum_sensitivity(1, length, body.effective_modulus) * std::log(*body.datum / length));
+    return 1 / (1 / stiffness - datum_sensitivity(1, length, body.effective_modulus) * std::log(*body.datum / length));
 }
 
 double full_contact_load(const Profile& profile, const Body& body) {

@@ -22,8 +22,8 @@ bool is_direct(Solver solver);
 struct ContactOptions {
     Solver solver = Solver::automatic; ///< method
     double tolerance = 1e-6;           ///< relative residual at which an iterative solver ends
-    bool states = false;       ///< whether to fill ContactCurve::states, which derivatives need (adjoint)
-    double memory_limit = 2e9; ///< bytes; a factorisation that is predicted to need more is refused
+    bool states = false;               ///< whether to fill ContactCurve::states, which derivatives need (adjoint)
+    double memory_limit = 2e9;         ///< bytes; a factorisation that is predicted to need more is refused
     int threads = 1; ///< threads for a map of 16,384 nodes or more; the curve does not depend on their number
     std::function<bool()> stop = {}; ///< called repeatedly if set; true ends the solution with NotConverged
     bool spots = false;              ///< whether LoadStep::spot_width is computed
@@ -59,9 +59,9 @@ struct ContactState {
 
 /// The result of pressing a profile step by step.
 struct ContactCurve {
-    std::vector<LoadStep> steps;      ///< one for each given displacement or pressure, in the same order
-    std::vector<ContactState> states; ///< one for each step if ContactOptions::states is set, otherwise empty
-    std::vector<int> last_contact;    ///< nodes that touch at the last step
+    std::vector<LoadStep> steps;       ///< one for each given displacement or pressure, in the same order
+    std::vector<ContactState> states;  ///< one for each step if ContactOptions::states is set, otherwise empty
+    std::vector<int> last_contact;     ///< nodes that touch at the last step
     Solver solver = Solver::automatic; ///< the solver that was used last
     long iterations = 0;               ///< number of iterations over all steps, as the solver counts them
 };
@@ -86,8 +86,7 @@ ContactCurve solve_contact(const Profile& profile, const Body& body, const std::
 /// Throws the same as solve_contact(). Also throws InputError for a pressure that no displacement reaches. If
 /// Body::relative_to_mean(), the limit is full_contact_load(), inclusive. With a hardness p_H, it is instead
 /// the mean pressure of all nodes at p_H, exclusive.
-ContactCurve solve_contact_at_pressures(const Profile& profile, const Body& body,
-                                        const std::vector<double>& pressures,
+ContactCurve solve_contact_at_pressures(const Profile& profile, const Body& body, const std::vector<double>& pressures,
                                         const ContactOptions& options = {});
 
 /// The displacement (mm) at which the mean pressure is `pressure` (MPa, > 0). With a direct solver, the mean
@@ -95,16 +94,15 @@ ContactCurve solve_contact_at_pressures(const Profile& profile, const Body& body
 /// without a hardness, iterative solvers, and `automatic` on more than 768 nodes, add 2 relative tolerances.
 /// So a curve to the result reaches `pressure`, and exceeds it by at most 3 tolerances. Throws the same as
 /// solve_contact_at_pressures().
-double displacement_at_pressure(const Profile& profile, const Body& body, double pressure,
-                                ContactOptions options = {});
+double displacement_at_pressure(const Profile& profile, const Body& body, double pressure, ContactOptions options = {});
 
 /// Partial slip of a line under the constant normal load of the approach `displacement` (mm), with tractions
 /// of at most `friction` times the pressure (domain/response/README.md). The tangential displacement rises in
 /// `steps` even steps from 0 to full slip, which gives steps + 1 rows. In a row `displacement` is tangential
 /// (mm), `pressure` the mean traction Q (MPa), `tangent_stiffness` dQ/d displacement, and `held_nodes` slip.
 /// Throws the same as solve_contact(), also InputError for a map.
-std::vector<LoadStep> solve_partial_slip(const Profile& profile, const Body& body, double displacement,
-                                         double friction, int steps, ContactOptions options = {});
+std::vector<LoadStep> solve_partial_slip(const Profile& profile, const Body& body, double displacement, double friction,
+                                         int steps, ContactOptions options = {});
 
 /// Predicted cost of a curve of `steps` steps on `nodes` nodes by the cheaper of the solvers `nested` and
 /// `active_set`, in arbitrary units. `contact` nodes touch at the last step.

@@ -18,21 +18,17 @@ class Batches {
         // A batch is held in memory and stored as one cell.
         constexpr double max_numbers = 1e7;
         const DatabaseSetup& setup = store.setup();
-        const double per_genome =
-            std::max(2 * max_phases(setup.law) + 100, 2. * setup.model.loading.steps + 1);
+        const double per_genome = std::max(2 * max_phases(setup.law) + 100, 2. * setup.model.loading.steps + 1);
         size_ = std::clamp<std::uint64_t>(static_cast<std::uint64_t>(max_numbers / per_genome), 1,
                                           std::max<std::uint64_t>(options.batch, 1));
         stored_ = store.stored();
     }
 
     std::optional<std::uint64_t> next() {
-        if (ended())
-            return std::nullopt;
+        if (ended()) return std::nullopt;
         if (handed_out_ == last_.count) {
-            const auto span =
-                store_.take(wanted_, size_, [&](std::uint64_t first) { return open_.count(first) > 0; });
-            if (!span)
-                return std::nullopt;
+            const auto span = store_.take(wanted_, size_, [&](std::uint64_t first) { return open_.count(first) > 0; });
+            if (!span) return std::nullopt;
             last_ = *span;
             open_[last_.first] = {last_, std::vector<Response>(last_.count), last_.count};
             handed_out_ = 0;
@@ -46,8 +42,7 @@ class Batches {
             refuse("genome ", genome, ": computed but not requested; run one program on all ranks");
         auto& [span, responses, missing] = found->second;
         responses[genome - span.first] = std::move(response);
-        if (--missing > 0)
-            return;
+        if (--missing > 0) return;
         stored_ += store_.add(span, responses) ? span.count : 0;
         open_.erase(found);
         goes_on_ = options_.go_on(stored_);
@@ -55,8 +50,7 @@ class Batches {
     bool ended() const { return !goes_on_ || (options_.stop && options_.stop->load()); }
     std::uint64_t missing() const {
         std::uint64_t count = 0;
-        for (const Span& gap : store_.gaps(wanted_))
-            count += gap.count;
+        for (const Span& gap : store_.gaps(wanted_)) count += gap.count;
         return count;
     }
 
@@ -84,8 +78,7 @@ void compute_on_threads(int threads, const DatabaseSetup& setup, const Orders& o
             held.unlock();
             Response response = response_for(setup, *genome);
             held.lock();
-            if (!orders.ended())
-                orders.take(*genome, std::move(response));
+            if (!orders.ended()) orders.take(*genome, std::move(response));
         }
     });
 }
@@ -106,10 +99,9 @@ void build(GenomeStore& store, const BuildOptions& options) {
     for (const Span& span : store.batches()) // nothing is appended to a damaged file
         store.responses(span);
     Batches batches(store, options);
-    const Orders orders{
-        batches.missing(), [&] { return batches.next(); },
-        [&](std::uint64_t genome, Response response) { batches.take(genome, std::move(response)); },
-        [&] { return batches.ended(); }};
+    const Orders orders{batches.missing(), [&] { return batches.next(); },
+                        [&](std::uint64_t genome, Response response) { batches.take(genome, std::move(response)); },
+                        [&] { return batches.ended(); }};
     if (options.computing)
         options.computing(store.setup(), orders);
     else
@@ -126,8 +118,8 @@ std::uint64_t merge(const std::vector<std::filesystem::path>& files, const std::
             refuse(file.string(), ": its ", other, " as that of ", files.front().string(),
                    "; merge databases of one set-up");
         if (last.version() != first.version())
-            refuse(file.string(), ": made by version ", last.version(), ", but ", files.front().string(),
-                   " by ", first.version(), "; build one of them again");
+            refuse(file.string(), ": made by version ", last.version(), ", but ", files.front().string(), " by ",
+                   first.version(), "; build one of them again");
     }
     const std::filesystem::path draft = out.string() + "." + std::to_string(::getpid()) + ".tmp";
     const struct Draft {
@@ -146,8 +138,7 @@ std::uint64_t merge(const std::vector<std::filesystem::path>& files, const std::
             for (const Span& span : one.batches()) {
                 const std::vector<Response> responses = one.responses(span);
                 for (const Span& part : merged.gaps(span)) {
-                    const auto begin =
-                        responses.begin() + static_cast<std::ptrdiff_t>(part.first - span.first);
+                    const auto begin = responses.begin() + static_cast<std::ptrdiff_t>(part.first - span.first);
                     merged.add(part, {begin, begin + static_cast<std::ptrdiff_t>(part.count)});
                 }
             }

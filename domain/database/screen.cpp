@@ -8,8 +8,7 @@ namespace rough {
 namespace {
 
 bool better(const Match& left, const Match& right) {
-    return left.similarity != right.similarity ? left.similarity > right.similarity
-                                               : left.index < right.index;
+    return left.similarity != right.similarity ? left.similarity > right.similarity : left.index < right.index;
 }
 
 /// Some matches, the worst on top.
@@ -27,8 +26,7 @@ double similarity_above(const std::vector<Curve>& curves, const std::vector<Targ
         const Index last = points.x.size() - 2;
         for (Index k = 0; k < target.points() && 1 - worst >= bar; ++k) {
             const double at = target.x[k] / scale;
-            while (left < last && at >= points.x[left + 1])
-                ++left;
+            while (left < last && at >= points.x[left + 1]) ++left;
             const double share = (at - points.x[left]) / (points.x[left + 1] - points.x[left]);
             const double y = ((1 - share) * points.y[left] + share * points.y[left + 1]) * y_scale;
             worst = std::max(worst, std::abs(misfit(target, k, y)));
@@ -50,8 +48,7 @@ Match with_best_scale(Match match, const std::vector<Curve>& curves, const std::
         const double at_a = similarity_above(curves, targets, a, -HUGE_VAL);
         const double at_b = similarity_above(curves, targets, b, -HUGE_VAL);
         const double best = std::max(at_a, at_b);
-        if (best > match.similarity)
-            match = {match.index, best, at_a >= at_b ? a : b};
+        if (best > match.similarity) match = {match.index, best, at_a >= at_b ? a : b};
         (at_a >= at_b ? high : low) = at_a >= at_b ? b : a;
     }
     return match;
@@ -64,23 +61,19 @@ bool need_fractions(const std::vector<Target>& targets) {
 void check(const StoredCurves& curves, const std::vector<Target>& targets, const ScreenOptions& options) {
     for (const Target& target : targets) {
         validate(target);
-        if (options.max_pressure && target.against_pressure() &&
-            target.last() > *options.max_pressure * (1 + 1e-9))
+        if (options.max_pressure && target.against_pressure() && target.last() > *options.max_pressure * (1 + 1e-9))
             refuse("target ", target.name, ": reaches ", target.last(), " MPa; give pressures up to ",
                    *options.max_pressure, " MPa");
     }
-    if (targets.empty())
-        throw InputError("genome database: has no target to screen for; give one");
-    if (curves.index.empty())
-        throw InputError("genome database: holds no genomes; build it first");
+    if (targets.empty()) throw InputError("genome database: has no target to screen for; give one");
+    if (curves.index.empty()) throw InputError("genome database: holds no genomes; build it first");
     if (need_fractions(targets) && curves.fraction.size() != curves.pressure.size())
         throw InputError("genome database: the target needs contact fractions; read the curves with them");
 }
 
 /// Multiplies a length by `factor`. Sets it to the wanted length if the two then differ only by rounding.
 void stretch(std::optional<double>& length, double factor, std::optional<double> wanted) {
-    if (length && wanted)
-        length = std::abs(*length * factor - *wanted) <= 1e-12 * *wanted ? *wanted : *length * factor;
+    if (length && wanted) length = std::abs(*length * factor - *wanted) <= 1e-12 * *wanted ? *wanted : *length * factor;
 }
 
 /// Exact factors from a database's responses to another length and modulus (README.md, "The file").
@@ -105,11 +98,9 @@ DatabaseScale scale_to(const GenomeStore& store, const Model& wanted) {
 
 /// A target in the units of the database's model.
 Target unscaled(Target target, const DatabaseScale& scale) {
-    if (target.against_pressure())
-        target.x /= scale.pressure;
+    if (target.against_pressure()) target.x /= scale.pressure;
     if (!is_contact_fraction(target.quantity))
-        for (Eigen::VectorXd* values : {&target.y, &target.lower, &target.upper})
-            *values /= scale.pressure;
+        for (Eigen::VectorXd* values : {&target.y, &target.lower, &target.upper}) *values /= scale.pressure;
     return target;
 }
 
@@ -128,18 +119,14 @@ struct Stored {
     Genome genome;
 };
 
-std::vector<Stored> nearest(const GenomeStore& store, const DesignSetup& setup, std::size_t count,
-                            int threads) {
+std::vector<Stored> nearest(const GenomeStore& store, const DesignSetup& setup, std::size_t count, int threads) {
     const DatabaseScale scale = scale_to(store, setup.model);
     std::vector<Target> targets;
-    for (const Target& target : setup.targets)
-        targets.push_back(unscaled(target, scale));
+    for (const Target& target : setup.targets) targets.push_back(unscaled(target, scale));
     ScreenOptions options{setup.max_pressure, count, threads};
-    if (options.max_pressure)
-        *options.max_pressure /= scale.pressure;
+    if (options.max_pressure) *options.max_pressure /= scale.pressure;
     std::vector<Stored> all;
-    for (const Match& match :
-         screen(store.curves(need_fractions(targets)), store.setup().model, targets, options)) {
+    for (const Match& match : screen(store.curves(need_fractions(targets)), store.setup().model, targets, options)) {
         all.push_back({match, drawn_out(store.genome(match.index), scale.length)});
         all.back().genome.scale *= match.scale;
     }
@@ -152,8 +139,7 @@ std::vector<Match> screen(const StoredCurves& curves, const Model& model, const 
                           const ScreenOptions& options) {
     check(curves, targets, options);
     const bool rescaled = options.max_pressure.has_value();
-    const auto displacements =
-        load_displacements(1, model.loading, model.body.kernel); // for a height range of 1
+    const auto displacements = load_displacements(1, model.loading, model.body.kernel); // for a height range of 1
     const auto steps = static_cast<Index>(displacements.size());
     const double full_stiffness =
         full_contact_stiffness({Eigen::VectorXd::Zero(model.grid.nodes), model.grid.spacing()}, model.body);
@@ -165,19 +151,16 @@ std::vector<Match> screen(const StoredCurves& curves, const Model& model, const 
         Response response;
         response.displacement = curves.range[g] * Eigen::VectorXd::Map(displacements.data(), steps);
         response.pressure = row(curves.pressure);
-        if (!curves.fraction.empty())
-            response.contact_fraction = row(curves.fraction);
+        if (!curves.fraction.empty()) response.contact_fraction = row(curves.fraction);
         response.full_stiffness = full_stiffness;
         std::vector<Curve> stored;
-        for (const Target& target : targets)
-            stored.push_back(curve_of(target.quantity, response));
+        for (const Target& target : targets) stored.push_back(curve_of(target.quantity, response));
         return stored;
     };
     // The scale from which on a genome's curves cover the targets.
     const auto covering = [&](const std::vector<Curve>& stored) {
         double scale = 0;
-        for (std::size_t t = 0; t < targets.size(); ++t)
-            scale = std::max(scale, targets[t].last() / stored[t].to);
+        for (std::size_t t = 0; t < targets.size(); ++t) scale = std::max(scale, targets[t].last() / stored[t].to);
         return scale;
     };
     // On a finer grid the genome's curve ends elsewhere: with this margin it still covers the targets.
@@ -189,37 +172,30 @@ std::vector<Match> screen(const StoredCurves& curves, const Model& model, const 
     const int threads = ga::thread_count(options.threads);
     const std::size_t parts = static_cast<std::size_t>(threads);
     // A coarse amplitude can hide a good genome. Therefore many more genomes are narrowed than returned.
-    const std::size_t candidates =
-        rescaled ? std::max<std::size_t>(options.best, 1) : 200 + 20 * options.best;
+    const std::size_t candidates = rescaled ? std::max<std::size_t>(options.best, 1) : 200 + 20 * options.best;
     std::vector<WorstFirst> best(parts, WorstFirst(better));
     ga::parallel_for(parts, threads, [&](std::size_t part) {
         WorstFirst& kept = best[part];
-        for (std::size_t g = part * curves.index.size() / parts; g < (part + 1) * curves.index.size() / parts;
-             ++g) {
-            if (std::isnan(curves.range[g]))
-                continue;
+        for (std::size_t g = part * curves.index.size() / parts; g < (part + 1) * curves.index.size() / parts; ++g) {
+            if (std::isnan(curves.range[g])) continue;
             const std::vector<Curve> stored = read(g);
             const double first = smallest(g, stored);
-            if (first < (1 - 1e-9) * covering(stored))
-                continue;
+            if (first < (1 - 1e-9) * covering(stored)) continue;
             Match match{g, -HUGE_VAL, 1};
             for (int a = 0; a < (rescaled ? 1 : amplitudes); ++a) {
                 const double scale = amplitude(first, a);
                 const double worst = kept.size() < candidates ? -HUGE_VAL : kept.top().similarity;
                 const double bar = std::max(worst, match.similarity);
                 const double similarity = similarity_above(stored, targets, scale, bar);
-                if (similarity > match.similarity)
-                    match = {g, similarity, scale};
+                if (similarity > match.similarity) match = {g, similarity, scale};
             }
             kept.push(match);
-            if (kept.size() > candidates)
-                kept.pop();
+            if (kept.size() > candidates) kept.pop();
         }
     });
     std::vector<Match> matches;
     for (WorstFirst& kept : best)
-        for (; !kept.empty(); kept.pop())
-            matches.push_back(kept.top());
+        for (; !kept.empty(); kept.pop()) matches.push_back(kept.top());
     std::sort(matches.begin(), matches.end(), better);
     matches.resize(std::min(matches.size(), candidates));
     for (Match& match : matches) {
@@ -235,16 +211,14 @@ std::vector<Match> screen(const StoredCurves& curves, const Model& model, const 
     return matches;
 }
 
-std::vector<Genome> stored_starts(const GenomeStore& store, const DesignSetup& setup, std::size_t count,
-                                  int threads) {
+std::vector<Genome> stored_starts(const GenomeStore& store, const DesignSetup& setup, std::size_t count, int threads) {
     std::vector<Genome> genomes;
-    for (Stored& stored : nearest(store, setup, count, threads))
-        genomes.push_back(folded(std::move(stored.genome)));
+    for (Stored& stored : nearest(store, setup, count, threads)) genomes.push_back(folded(std::move(stored.genome)));
     return genomes;
 }
 
-std::vector<StoredAnswer> stored_answers(const GenomeStore& store, const DesignSetup& setup,
-                                         std::size_t count, int threads) {
+std::vector<StoredAnswer> stored_answers(const GenomeStore& store, const DesignSetup& setup, std::size_t count,
+                                         int threads) {
     constexpr std::size_t min_verified = 16;
     validate(setup);
     const std::vector<Stored> stored = nearest(store, setup, std::max(count, min_verified), threads);
@@ -260,8 +234,7 @@ std::vector<StoredAnswer> stored_answers(const GenomeStore& store, const DesignS
     });
     std::vector<StoredAnswer> answers;
     for (auto& one : verified)
-        if (one)
-            answers.push_back(std::move(*one));
+        if (one) answers.push_back(std::move(*one));
     std::ranges::stable_sort(answers, std::ranges::greater{},
                              [](const StoredAnswer& one) { return one.answer.lowest(); });
     answers.resize(std::min(answers.size(), count));

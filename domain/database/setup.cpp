@@ -32,17 +32,16 @@ void visit_law(Law& law, const Visit& visit) {
 
 void validate(const GenomeDistribution& law) {
     const auto expect = [](bool good, const auto&... parts) {
-        if (!good)
-            refuse("genome law: ", parts...);
+        if (!good) refuse("genome law: ", parts...);
     };
     expect(law.series >= 1 && law.series <= 16, "series ", law.series, " is out of range (1 to 16)");
     expect(law.ridges >= 1 && law.ridges <= 1000, "ridges ", law.ridges, " is out of range (1 to 1000)");
-    expect(law.H_from > 0 && law.H_from <= law.H_to && std::isfinite(law.H_to), "H from ", law.H_from, " to ",
-           law.H_to, " is not a range above 0; give ascending bounds above 0");
+    expect(law.H_from > 0 && law.H_from <= law.H_to && std::isfinite(law.H_to), "H from ", law.H_from, " to ", law.H_to,
+           " is not a range above 0; give ascending bounds above 0");
     expect(law.gamma_from > 1 && law.gamma_from <= law.gamma_to && std::isfinite(law.gamma_to), "gamma from ",
            law.gamma_from, " to ", law.gamma_to, " is not a range above 1; give ascending bounds above 1");
-    expect(law.shortest > 0 && law.shortest <= law.lambda && std::isfinite(law.lambda), "waves from ",
-           law.shortest, " to ", law.lambda, " mm is not a range above 0; give ascending bounds above 0");
+    expect(law.shortest > 0 && law.shortest <= law.lambda && std::isfinite(law.lambda), "waves from ", law.shortest,
+           " to ", law.lambda, " mm is not a range above 0; give ascending bounds above 0");
     expect(max_phases(law) <= 1e6, "up to ", max_phases(law),
            " phases per genome are more than 1e6; give fewer series or ridges, or longer waves");
 }
@@ -80,8 +79,7 @@ NamedValues named_values(const DatabaseSetup& setup) {
 
 DatabaseSetup setup_from(const NamedValues& fields, const std::string& where) {
     const auto text = [&](const char* name) -> const std::string& {
-        if (const std::string* value = find(fields, name))
-            return *value;
+        if (const std::string* value = find(fields, name)) return *value;
         throw InputError(where + ": has no " + name + "; give a genome database");
     };
     const auto read = [&](const char* name, auto& value) {
@@ -99,10 +97,8 @@ DatabaseSetup setup_from(const NamedValues& fields, const std::string& where) {
     read("effective_modulus_MPa", model.body.effective_modulus);
     read("steps", model.loading.steps);
     read("reach", model.loading.reach.emplace());
-    if (model.body.kernel == Kernel::free)
-        read("datum_mm", model.body.datum.emplace());
-    if (model.body.kernel == Kernel::strip)
-        read("strip_width_mm", model.body.strip_width.emplace());
+    if (model.body.kernel == Kernel::free) read("datum_mm", model.body.datum.emplace());
+    if (model.body.kernel == Kernel::strip) read("strip_width_mm", model.body.strip_width.emplace());
     visit_law(setup.law, read);
     const auto within = [](double value, double above, double to) { return value > above && value <= to; };
     constexpr double largest = std::numeric_limits<double>::max();
@@ -119,8 +115,7 @@ DatabaseSetup setup_from(const NamedValues& fields, const std::string& where) {
 std::string difference(const NamedValues& there, const NamedValues& wanted) {
     for (const auto& [name, value] : wanted) {
         const std::string* here = find(there, name);
-        if (!here || *here != value)
-            return name + " is " + (here ? *here : "not set") + ", not " + value;
+        if (!here || *here != value) return name + " is " + (here ? *here : "not set") + ", not " + value;
     }
     return "";
 }

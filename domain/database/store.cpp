@@ -29,8 +29,8 @@ std::unique_ptr<SQLite::Database> opened(const std::filesystem::path& file, int 
     if (name.empty() || name == ":memory:" || name.starts_with("file:"))
         refuse(name.empty() ? "database" : name, ": is not the name of a file; give a database file");
     constexpr int wait = 120'000; // milliseconds; another builder writes its batch in far less
-    auto sqlite = guarded(
-        file, [&] { return std::make_unique<SQLite::Database>(name, flags | SQLite::OPEN_READWRITE, wait); });
+    auto sqlite =
+        guarded(file, [&] { return std::make_unique<SQLite::Database>(name, flags | SQLite::OPEN_READWRITE, wait); });
     // The file may be forged: nothing in its schema is run, and cells larger than usual ones are refused.
     for (const auto& [option, on] : {std::pair(SQLITE_DBCONFIG_DEFENSIVE, 1),
                                      {SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0},
@@ -68,8 +68,7 @@ void each(SQLite::Database& sqlite, const std::string& sql, const Take& take, co
         SQLite::Statement statement(sqlite, sql);
         int parameter = 0;
         (bind(statement, ++parameter, values), ...);
-        while (statement.executeStep())
-            take(statement);
+        while (statement.executeStep()) take(statement);
     });
 }
 
@@ -104,9 +103,7 @@ std::string_view packed(const std::vector<double>& values) {
     return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(double)};
 }
 
-void append(std::vector<double>& list, const auto& values) {
-    list.insert(list.end(), values.begin(), values.end());
-}
+void append(std::vector<double>& list, const auto& values) { list.insert(list.end(), values.begin(), values.end()); }
 
 /// A genome as numbers: series, and for each A, H, gamma, lambda, chromosomes, and for each of those n,
 /// ridges and the phases.
@@ -124,9 +121,7 @@ std::vector<double> numbers_of(const Genome& genome) {
     return values;
 }
 
-bool holds_anything(SQLite::Database& sqlite) {
-    return run(sqlite, "SELECT count(*) FROM sqlite_master") > 0;
-}
+bool holds_anything(SQLite::Database& sqlite) { return run(sqlite, "SELECT count(*) FROM sqlite_master") > 0; }
 
 template <class... Parts>
 [[noreturn]] void refuse_changed(const SQLite::Database& sqlite, const Parts&... parts) {
@@ -138,13 +133,11 @@ void expect_ours(SQLite::Database& sqlite) {
     if (run(sqlite, "PRAGMA application_id") != application)
         refuse(sqlite.getFilename(), ": is not a genome database; give one made by 'rugosa database build'");
     if (const auto version = run(sqlite, "PRAGMA user_version"); version != form)
-        refuse(sqlite.getFilename(), ": a genome database of form ", version, ", not ", form,
-               "; build it again");
+        refuse(sqlite.getFilename(), ": a genome database of form ", version, ", not ", form, "; build it again");
     std::vector<std::string> there;
     each(sqlite, "SELECT sql FROM sqlite_master WHERE name <> 'sqlite_autoindex_setup_1' ORDER BY sql",
          [&](const SQLite::Statement& row) { there.emplace_back(bytes_in(row, 0)); });
-    if (there != schema())
-        refuse_changed(sqlite, "holds other tables than a genome database");
+    if (there != schema()) refuse_changed(sqlite, "holds other tables than a genome database");
     if (run(sqlite, "SELECT count(*) FROM batch WHERE typeof(count) <> 'integer' OR count < 1 OR count > "
                     "1000000 OR first < 0") > 0)
         refuse_changed(sqlite, "a batch of an impossible size");
@@ -152,8 +145,7 @@ void expect_ours(SQLite::Database& sqlite) {
 
 std::uint64_t checksum_of(const NamedValues& fields) {
     std::string text;
-    for (const auto& [name, value] : fields)
-        text += name + "=" + value + "\n";
+    for (const auto& [name, value] : fields) text += name + "=" + value + "\n";
     return checksum(text);
 }
 
@@ -167,8 +159,7 @@ NamedValues stored_values(SQLite::Database& sqlite) {
         else
             fields.emplace_back(bytes_in(row, 0), bytes_in(row, 1));
     });
-    if (sum != std::to_string(checksum_of(fields)))
-        refuse_changed(sqlite, "its set-up was altered");
+    if (sum != std::to_string(checksum_of(fields))) refuse_changed(sqlite, "its set-up was altered");
     return fields;
 }
 
@@ -195,8 +186,7 @@ GenomeStore::GenomeStore(std::unique_ptr<SQLite::Database> sqlite) : sqlite_(std
     setup_ = setup_from(fields, file().string());
     validate(setup_.law);
     for (const auto& [name, value] : fields)
-        if (name == "version")
-            version_ = value;
+        if (name == "version") version_ = value;
 }
 
 GenomeStore::GenomeStore(GenomeStore&&) noexcept = default;
@@ -217,14 +207,12 @@ GenomeStore GenomeStore::create(const std::filesystem::path& file, const Databas
         if (!holds_anything(*sqlite)) {
             sqlite->exec("PRAGMA application_id = " + std::to_string(application));
             sqlite->exec("PRAGMA user_version = " + std::to_string(form));
-            for (const std::string& statement : schema())
-                sqlite->exec(statement);
+            for (const std::string& statement : schema()) sqlite->exec(statement);
             NamedValues named = wanted;
             named.emplace_back("version", RUGOSA_VERSION);
             std::sort(named.begin(), named.end());
             named.emplace_back("checksum", std::to_string(checksum_of(named)));
-            for (const auto& [name, value] : named)
-                run(*sqlite, "INSERT INTO setup VALUES(?, ?)", name, value);
+            for (const auto& [name, value] : named) run(*sqlite, "INSERT INTO setup VALUES(?, ?)", name, value);
         }
         expect_ours(*sqlite);
         transaction.commit();
@@ -252,8 +240,7 @@ std::vector<Span> GenomeStore::gaps(const Span& of) const {
     const std::uint64_t end = of.first + of.count;
     std::uint64_t next = of.first;
     const auto skip_to = [&](std::uint64_t first) {
-        if (first > next)
-            found.push_back({next, first - next});
+        if (first > next) found.push_back({next, first - next});
     };
     // The batch before the span may reach into it.
     each(
@@ -289,8 +276,7 @@ std::optional<Span> GenomeStore::take(Span& wanted, std::uint64_t batch,
                     transaction.commit();
                     return std::optional(piece);
                 }
-                if (!is_own || !is_own(piece.first))
-                    left = piece;
+                if (!is_own || !is_own(piece.first)) left = piece;
             }
         return left;
     });
@@ -298,8 +284,7 @@ std::optional<Span> GenomeStore::take(Span& wanted, std::uint64_t batch,
 
 bool GenomeStore::add(const Span& span, const std::vector<Response>& responses) {
     std::vector<double> pressure, contact, genomes;
-    for (std::uint64_t i = 0; i < span.count; ++i)
-        append(genomes, numbers_of(drawn(setup_.law, span.first + i)));
+    for (std::uint64_t i = 0; i < span.count; ++i) append(genomes, numbers_of(drawn(setup_.law, span.first + i)));
     for (const Response& response : responses) {
         pressure.push_back(response.range);
         append(pressure, response.pressure);
@@ -341,8 +326,7 @@ Span GenomeStore::batch_of(std::uint64_t index) const {
             span = {number_in(row, 0), number_in(row, 1)};
         },
         index);
-    if (index < span.first + span.count)
-        return span;
+    if (index < span.first + span.count) return span;
     refuse(file().string(), ": genome ", index, " is not stored; give a smaller number");
 }
 
@@ -351,8 +335,7 @@ Eigen::MatrixXd GenomeStore::numbers(const std::string& table, const Span& span,
     Eigen::MatrixXd values;
     const std::size_t size = span.count * static_cast<std::size_t>(per_genome) * sizeof(double);
     const auto read = [&](const SQLite::Statement& row) {
-        if (number_in(row, 1) != checksum_of(table, span, bytes_in(row, 0)))
-            return;
+        if (number_in(row, 1) != checksum_of(table, span, bytes_in(row, 0))) return;
         if (bytes_in(row, 0).size() != size)
             refuse_changed(*sqlite_, "a batch of ", bytes_in(row, 0).size(), " bytes in place of ", size);
         values.resize(per_genome, static_cast<Index>(span.count));
@@ -360,8 +343,8 @@ Eigen::MatrixXd GenomeStore::numbers(const std::string& table, const Span& span,
     };
     each(*sqlite_, "SELECT numbers, checksum FROM " + table + " WHERE first = ?", read, span.first);
     if (values.size() == 0)
-        refuse_changed(*sqlite_, "the ", table, " of genomes ", span.first, " to ",
-                       span.first + span.count - 1, " was altered");
+        refuse_changed(*sqlite_, "the ", table, " of genomes ", span.first, " to ", span.first + span.count - 1,
+                       " was altered");
     for (const auto& genome : values.colwise()) // all NaN without a response (response_for)
         if (!genome.array().isFinite().all() && !genome.array().isNaN().all())
             refuse_changed(*sqlite_, "the ", table, " of genomes from ", span.first,
@@ -377,17 +360,14 @@ void GenomeStore::expect_genomes(const Span& span) const {
         std::string_view rest = bytes_in(row, 0);
         for (std::uint64_t genome = span.first; genome < span.first + span.count; ++genome) {
             const auto numbers = numbers_of(drawn(setup_.law, genome));
-            if (!rest.starts_with(packed(numbers)))
-                refuse_changed(*sqlite_, "genome ", genome, " is not its law's");
+            if (!rest.starts_with(packed(numbers))) refuse_changed(*sqlite_, "genome ", genome, " is not its law's");
             rest.remove_prefix(packed(numbers).size());
         }
-        if (!rest.empty())
-            refuse_changed(*sqlite_, "more genomes are stored than the batch has");
+        if (!rest.empty()) refuse_changed(*sqlite_, "more genomes are stored than the batch has");
         there = true;
     };
     each(*sqlite_, "SELECT numbers FROM genome WHERE first = ?", compare, span.first);
-    if (!there)
-        refuse_changed(*sqlite_, "no genomes are stored for the batch at ", span.first);
+    if (!there) refuse_changed(*sqlite_, "no genomes are stored for the batch at ", span.first);
 }
 
 std::vector<Response> GenomeStore::responses(const Span& span) const {
@@ -413,10 +393,8 @@ StoredCurves GenomeStore::curves(bool with_fractions) const {
         const Eigen::MatrixXd pressure = numbers("pressure", span, steps + 1);
         append(curves.range, pressure.row(0));
         append(curves.pressure, pressure.bottomRows(steps).reshaped());
-        if (with_fractions)
-            append(curves.fraction, numbers("contact", span, 2 * steps).topRows(steps).reshaped());
-        for (std::uint64_t g = span.first; g < span.first + span.count; ++g)
-            curves.index.push_back(g);
+        if (with_fractions) append(curves.fraction, numbers("contact", span, 2 * steps).topRows(steps).reshaped());
+        for (std::uint64_t g = span.first; g < span.first + span.count; ++g) curves.index.push_back(g);
     }
     return curves;
 }

@@ -41,23 +41,18 @@ struct Exploration {
             checkpoints->keep("seen", seen.members);
             checkpoints->keep("verified", verified.members);
             checkpoints->keep("front", front);
-            if (options.checkpoints->add_values)
-                options.checkpoints->add_values(*checkpoints);
+            if (options.checkpoints->add_values) options.checkpoints->add_values(*checkpoints);
         }
         const ga::RunOptions run{.variant = name,
                                  .seed = options.seed,
                                  .threads = options.threads,
                                  .budget = {options.evaluations, seconds, options.stop}};
         ga::OnThreads<P> on_threads(options.threads);
-        auto found =
-            ga::run_by(options.evaluator ? *options.evaluator : on_threads, pipeline, problem_,
-                       ga::population(starts), run, observers, checkpoints ? &*checkpoints : nullptr);
-        for (const auto& individual : found.population)
-            seen.offer(individual);
-        if (found.best)
-            seen.offer(*found.best);
-        if (found.is_dead_end)
-            nothing = found.stopped;
+        auto found = ga::run_by(options.evaluator ? *options.evaluator : on_threads, pipeline, problem_,
+                                ga::population(starts), run, observers, checkpoints ? &*checkpoints : nullptr);
+        for (const auto& individual : found.population) seen.offer(individual);
+        if (found.best) seen.offer(*found.best);
+        if (found.is_dead_end) nothing = found.stopped;
         population = std::move(found.population);
         spent = {name, pipeline.text(), found.counters, found.notes, found.stopped};
     }
@@ -71,23 +66,18 @@ struct Exploration {
     /// each other by at least `different`. Each has its smallest difference from those before it. `view`
     /// makes a view of a genome, and `difference` compares two views. `max_count` counts the answer, too.
     template <class View, class Difference>
-    std::vector<std::pair<Genome, double>> others_than(const Genome& answer, std::size_t max_count,
-                                                       double different, View view,
-                                                       Difference difference) const {
+    std::vector<std::pair<Genome, double>> others_than(const Genome& answer, std::size_t max_count, double different,
+                                                       View view, Difference difference) const {
         std::vector views{view(answer)};
         std::vector<std::pair<Genome, double>> others;
         ga::Population<Genome> all = seen.members;
-        if (ga::comparable(population))
-            all.insert(all.end(), population.begin(), population.end());
+        if (ga::comparable(population)) all.insert(all.end(), population.begin(), population.end());
         for (const auto& kept : all) {
-            if (views.size() >= max_count || kept.value() < -1)
-                break;
+            if (views.size() >= max_count || kept.value() < -1) break;
             auto candidate = view(kept.genome);
             double smallest = 2;
-            for (const auto& other : views)
-                smallest = std::min(smallest, difference(candidate, other));
-            if (smallest < different)
-                continue;
+            for (const auto& other : views) smallest = std::min(smallest, difference(candidate, other));
+            if (smallest < different) continue;
             others.emplace_back(kept.genome, smallest);
             views.push_back(std::move(candidate));
         }
@@ -96,18 +86,15 @@ struct Exploration {
 
   private:
     void observe(const ga::Event<Genome>& event) {
-        if (event.population.empty() || !ga::comparable(event.population))
-            return;
+        if (event.population.empty() || !ga::comparable(event.population)) return;
         if (event.derived) {
             nearest = ga::best_of(event.population, 1).front().genome;
             return;
         }
         std::vector<Genome> ranked; // several objectives: by `pareto`
         for (const auto& individual : ga::front_of(event.population))
-            if (individual.fitness.several())
-                ranked.push_back(individual.genome);
-        if (!ranked.empty())
-            front = std::move(ranked);
+            if (individual.fitness.several()) ranked.push_back(individual.genome);
+        if (!ranked.empty()) front = std::move(ranked);
     }
 
     const P& problem_;

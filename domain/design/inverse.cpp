@@ -14,9 +14,8 @@ Eigen::MatrixXd influence_in_order(const Profile& surface, const Body& given, co
     const Body body = completed(given, profile_length(surface, given.kernel));
     const Index nodes = surface.nodes(), columns = surface.shape().columns;
     const double spacing = surface.spacing;
-    const Eigen::VectorXd column =
-        influence_column(in_units(body, spacing, surface.row_spacing), surface.shape()) *
-        (spacing / body.effective_modulus);
+    const Eigen::VectorXd column = influence_column(in_units(body, spacing, surface.row_spacing), surface.shape()) *
+                                   (spacing / body.effective_modulus);
     return Eigen::MatrixXd::NullaryExpr(nodes, nodes, [&](Index i, Index k) {
         const Index a = order[static_cast<std::size_t>(i)], b = order[static_cast<std::size_t>(k)];
         return column[std::abs(a / columns - b / columns) * columns + std::abs(a % columns - b % columns)];
@@ -42,8 +41,7 @@ class Rising {
         const Index n = x.size();
         const double first_slope = n > 1 ? std::max(0.0, (y[1] - y[0]) / (x[1] - x[0])) : 0.5 * y[0] / x[0];
         points_.emplace_back(0.0, std::max(0.0, y[0] - first_slope * x[0]));
-        for (Index k = 0; k < n; ++k)
-            points_.emplace_back(x[k], std::max(points_.back().second, y[k]));
+        for (Index k = 0; k < n; ++k) points_.emplace_back(x[k], std::max(points_.back().second, y[k]));
         const auto& [x_last, y_last] = points_.back();
         const auto& [x_before, y_before] = points_[points_.size() - 2];
         const double slope = std::max((y_last - y_before) / (x_last - x_before), 0.05 * y_last / x_last);
@@ -51,15 +49,11 @@ class Rising {
     }
     /// The first x at which y reaches the value.
     double reaches(double value) const {
-        if (value <= points_.front().second)
-            return 0;
-        const auto above =
-            std::ranges::find_if(points_, [&](const auto& point) { return point.second >= value; });
-        if (above == points_.end())
-            return points_.back().first;
+        if (value <= points_.front().second) return 0;
+        const auto above = std::ranges::find_if(points_, [&](const auto& point) { return point.second >= value; });
+        if (above == points_.end()) return points_.back().first;
         const auto below = above - 1;
-        return below->first +
-               (above->first - below->first) * (value - below->second) / (above->second - below->second);
+        return below->first + (above->first - below->first) * (value - below->second) / (above->second - below->second);
     }
 
   private:
@@ -94,8 +88,7 @@ InverseProfile inverse_profile(const Profile& surface, const Body& body, const s
     const Eigen::VectorXd z = L.triangularView<Eigen::Lower>().solve(Eigen::VectorXd::Ones(max_touching));
     // P is the sum of pressures over L/delta, on a map over N.
     const double cell = surface.is_2d() ? 1 : surface.spacing;
-    const double whole =
-        surface.is_2d() ? elements(surface, body.kernel) : profile_length(surface, body.kernel);
+    const double whole = surface.is_2d() ? elements(surface, body.kernel) : profile_length(surface, body.kernel);
     Eigen::VectorXd stiffness(max_touching);
     for (Index k = 0; k < max_touching; ++k) // sum of H_AA^-1 1 is z.z
         stiffness[k] = z.head(k + 1).squaredNorm() * cell / whole;
@@ -115,10 +108,8 @@ InverseProfile inverse_profile(const Profile& surface, const Body& body, const s
             const Eigen::VectorXd w =
                 L.topLeftCorner(k + 1, k + 1).transpose().triangularView<Eigen::Upper>().solve(z.head(k + 1));
             const Eigen::VectorXd punch = H.leftCols(k + 1) * w; // 1 on the contact set
-            const double part =
-                std::min((last_pressure - pressure) / stiffness[k], last_displacement - displacement);
-            if (lowest.size() == 0 && part <= step)
-                end_load(part, stiffness[k], u + part * punch);
+            const double part = std::min((last_pressure - pressure) / stiffness[k], last_displacement - displacement);
+            if (lowest.size() == 0 && part <= step) end_load(part, stiffness[k], u + part * punch);
             u += step * punch;
             displacement += step;
             pressure += step * stiffness[k];
@@ -127,8 +118,7 @@ InverseProfile inverse_profile(const Profile& surface, const Body& body, const s
         result.entry.push_back(displacement);
     }
     if (lowest.size() == 0) // all nodes but one touch at the end of loading
-        end_load(std::min((last_pressure - pressure) / stiffness[max_touching - 1],
-                          last_displacement - displacement),
+        end_load(std::min((last_pressure - pressure) / stiffness[max_touching - 1], last_displacement - displacement),
                  stiffness[max_touching - 1], displacement - gap.array());
     result.profile.heights(order) = -gap;
     result.lowest_free(order) = lowest;
@@ -147,11 +137,9 @@ InverseProfile with_range_at_last(InverseProfile inverse) {
 
 InverseProfile with_mean_at_full_approach(InverseProfile inverse, double reach) {
     const Eigen::VectorXd below = depths(inverse);
-    if (!(below.sum() > 1e-9 * inverse.last_displacement))
-        return inverse;
+    if (!(below.sum() > 1e-9 * inverse.last_displacement)) return inverse;
     // The body's mean plane does not move: lowest_free has the mean -last_displacement.
-    const double factor =
-        (1 / reach - 1) * inverse.last_displacement * static_cast<double>(below.size()) / below.sum();
+    const double factor = (1 / reach - 1) * inverse.last_displacement * static_cast<double>(below.size()) / below.sum();
     return with_scaled_depths(std::move(inverse), below, factor);
 }
 
@@ -165,13 +153,12 @@ Advance advance_for(const Target& target, Index nodes) {
         std::vector<double> begins(sets + 1, 0.0);
         Eigen::VectorXd K = stiffness; // on a periodic body K_i = K, and not all nodes touch
         if (quantity == Quantity::interface_stiffness && stiffness.size() == nodes)
-            for (double& each : K)
-                each = interface_of(each, stiffness[nodes - 1]);
+            for (double& each : K) each = interface_of(each, stiffness[nodes - 1]);
         for (std::size_t k = 1; k < sets; ++k)
-            begins[k] = std::max(
-                begins[k - 1],
-                curve.reaches(by_area ? (static_cast<double>(k) + 0.5) / static_cast<double>(nodes)
-                                      : 0.5 * (K[static_cast<Index>(k) - 1] + K[static_cast<Index>(k)])));
+            begins[k] =
+                std::max(begins[k - 1],
+                         curve.reaches(by_area ? (static_cast<double>(k) + 0.5) / static_cast<double>(nodes)
+                                               : 0.5 * (K[static_cast<Index>(k) - 1] + K[static_cast<Index>(k)])));
         begins[sets] = begins[sets - 1];
         std::vector<double> steps(sets);
         for (std::size_t k = 0; k < sets; ++k) {

@@ -29,8 +29,7 @@ constexpr double cost_of_misfit = 100;
 std::string chromosomes_of(const Genome& genome) {
     std::string words;
     for (std::size_t s = 0; s < genome.series.size(); ++s) {
-        const auto [first, last] =
-            std::ranges::minmax_element(genome.series[s].chromosomes, {}, &Chromosome::n);
+        const auto [first, last] = std::ranges::minmax_element(genome.series[s].chromosomes, {}, &Chromosome::n);
         words += line_of(s ? ", " : "", s + 1, ":", first->n, " to ", s + 1, ":", last->n);
     }
     return words;
@@ -40,15 +39,14 @@ std::string chromosomes_of(const Genome& genome) {
 /// smallest largest misfit. x = 0 are the given phases, -1 and 1 the largest changes.
 class LeastChange {
   public:
-    LeastChange(const DesignProblem& problem, const Genome& genome,
-                const std::vector<ChromosomeName>& control, double radius, double allowed)
+    LeastChange(const DesignProblem& problem, const Genome& genome, const std::vector<ChromosomeName>& control,
+                double radius, double allowed)
         : problem_(problem), genome_(genome), values_(genes(genome)), radius_(radius), allowed_(allowed) {
         const auto controlled = [&](std::size_t s, std::size_t c) {
             return std::count(control.begin(), control.end(),
                               ChromosomeName{s + 1, genome.series[s].chromosomes[c].n}) > 0;
         };
-        for (const ga::Variable& phase : phase_variables(genome, {}, controlled))
-            chosen.push_back(phase.gene);
+        for (const ga::Variable& phase : phase_variables(genome, {}, controlled)) chosen.push_back(phase.gene);
         look(Eigen::VectorXd::Zero(size()));
     }
 
@@ -57,8 +55,7 @@ class LeastChange {
 
     Genome at(const Eigen::VectorXd& x) const {
         std::vector<double> values = values_;
-        for (Index i = 0; i < size(); ++i)
-            values[chosen[static_cast<std::size_t>(i)]] += radius_ * x[i];
+        for (Index i = 0; i < size(); ++i) values[chosen[static_cast<std::size_t>(i)]] += radius_ * x[i];
         return with_genes(genome_, values);
     }
     bool meets() const { return best_.merit > 0; }
@@ -82,8 +79,7 @@ class LeastChange {
         const long last = gradients + evaluations;
         last_better_ = gradients;
         search.minimize([&](const Eigen::VectorXd& x, double* gradient) {
-            if (gradient)
-                Eigen::Map<Eigen::VectorXd>(gradient, n + 1) << x.head(n), cost_of_misfit;
+            if (gradient) Eigen::Map<Eigen::VectorXd>(gradient, n + 1) << x.head(n), cost_of_misfit;
             return 0.5 * x.head(n).squaredNorm() + cost_of_misfit * x[n];
         });
         const auto fill = [&](const Eigen::VectorXd& x, double* c, double* gradient) {
@@ -97,8 +93,7 @@ class LeastChange {
             const ga::Sensitivity& at = look(x.head(n));
             values << at.residuals / goal, -at.residuals / goal;
             values.array() -= 1 + x[n];
-            if (!gradient)
-                return;
+            if (!gradient) return;
             Eigen::Map<Rows> slopes(gradient, 2 * rows, n + 1);
             slopes.topLeftCorner(rows, n) = at.jacobian / goal;
             slopes.bottomLeftCorner(rows, n) = -at.jacobian / goal;
@@ -133,8 +128,7 @@ class LeastChange {
         }
         const double worst = rows_.residuals.cwiseAbs().maxCoeff();
         const double merit = worst <= allowed_ ? 1 / (1 + x.norm()) : -worst;
-        if (merit > best_.merit + min_improvement * std::abs(best_.merit))
-            last_better_ = gradients;
+        if (merit > best_.merit + min_improvement * std::abs(best_.merit)) last_better_ = gradients;
         best_.offer(x, merit);
         return rows_;
     }
@@ -156,8 +150,7 @@ std::vector<ChromosomeName> chromosomes_from(const std::string& text, const Geno
     std::vector<ChromosomeName> names;
     for (const std::string& word : listed(text)) {
         const auto expect = [&](bool holds, const std::string& problem) {
-            if (!holds)
-                refuse_value("control", word, problem);
+            if (!holds) refuse_value("control", word, problem);
         };
         int series = 0, n = 0, end = 0;
         expect(word.find_first_not_of("0123456789:") == std::string::npos &&
@@ -171,8 +164,7 @@ std::vector<ChromosomeName> chromosomes_from(const std::string& text, const Geno
         expect(!std::count(names.begin(), names.end(), name), " is named twice; name each chromosome once");
         names.push_back(name);
     }
-    if (names.empty())
-        refuse_value("control", "no chromosome is named; use SERIES:CHROMOSOME, e.g. 1:3");
+    if (names.empty()) refuse_value("control", "no chromosome is named; use SERIES:CHROMOSOME, e.g. 1:3");
     return names;
 }
 
@@ -186,13 +178,11 @@ Morphed morph(const DesignSetup& given, const Genome& genome, const std::vector<
     const DesignProblem problem(setup);
     const double allowed = 1 - required;
     LeastChange search(problem, genome, control, radius, allowed);
-    if (!search.meets())
-        search.nearest(first_try);
+    if (!search.meets()) search.nearest(first_try);
     if (!search.meets()) {
         const double before = search.merit();
         search.minimise_misfit(second_try);
-        if (search.merit() > before + worth_another_try * std::abs(before))
-            search.nearest(second_try);
+        if (search.merit() > before + worth_another_try * std::abs(before)) search.nearest(second_try);
     }
     const Eigen::VectorXd& x = search.best();
 
@@ -211,8 +201,7 @@ Morphed morph(const DesignSetup& given, const Genome& genome, const std::vector<
     const auto before = genes(genome), after = genes(search.at(x));
     for (Index i = 0; i < x.size(); ++i) {
         const std::size_t g = search.chosen[static_cast<std::size_t>(i)];
-        result.changes.push_back({places[g],
-                                  genome.series[places[g].series].chromosomes[places[g].chromosome].n,
+        result.changes.push_back({places[g], genome.series[places[g].series].chromosomes[places[g].chromosome].n,
                                   before[g], after[g], std::abs(x[i]) >= 1 - 1e-6});
     }
     return result;

@@ -20,7 +20,7 @@ struct CheckpointOptionsOf {
     bool resume = false;        ///< whether to continue from the file if it exists
     std::function<void(ga::Checkpoints<P>&)> add_values = {}; ///< adds values of observers to the checkpoints
     double interval = 1;                                      ///< minimum time between two checkpoints, s
-    std::string inputs = {}; ///< fingerprints of the files that the run reads
+    std::string inputs = {};                                  ///< fingerprints of the files that the run reads
 };
 
 /// Pipeline, starts and budget of a search for designs with any type of genome.
@@ -49,11 +49,11 @@ struct SearchOptionsOf {
 
 /// The pipeline that a search ran, its cost and its remarks.
 struct SearchRun {
-    std::string name = {};      ///< name of the variant, or "pipeline"; the paths of all stages begin with it
-    std::string pipeline = {};  ///< text of the pipeline
-    ga::Counters counters = {}; ///< evaluations spent by the pipeline
+    std::string name = {};               ///< name of the variant, or "pipeline"; the paths of all stages begin with it
+    std::string pipeline = {};           ///< text of the pipeline
+    ga::Counters counters = {};          ///< evaluations spent by the pipeline
     std::vector<std::string> notes = {}; ///< remarks of stages
-    std::string stopped = {}; ///< why a stop or a budget ended the pipeline early; empty if neither did
+    std::string stopped = {};            ///< why a stop or a budget ended the pipeline early; empty if neither did
 };
 
 /// A function for ContactOptions::stop: true from `seconds` after this call on, and when `stop` is true.

@@ -17,8 +17,7 @@ constexpr double min_coarse_spacings = 1.9; ///< node spacings of a coarser grid
 /// The genome without its shortest wave; none if it has only one.
 std::optional<Genome> without_shortest(const Genome& genome) {
     const auto scales = length_scales(genome);
-    if (scales.size() < 2)
-        return std::nullopt;
+    if (scales.size() < 2) return std::nullopt;
     const auto shortest = std::ranges::max_element(scales, {}, &LengthScale::wave_number);
     return filtered(genome, [&](std::size_t s, std::size_t c) {
         return std::ranges::count(shortest->members, std::pair(s, c)) == 0;
@@ -34,9 +33,8 @@ void read_outcomes(Designs& designs, ga::Level level, ga::Context<DesignProblem>
     context.visit(designs, level, any, [&](auto& design, const ga::Evaluation<DesignOutcome>& evaluation) {
         read(std::get_if<DesignOutcome>(&evaluation));
         const std::size_t objective = level == level::verified ? context.objective_index("verified") : 0;
-        design.fitness =
-            ga::fitness_of(context.problem(), evaluation, context.problem().objectives()[objective],
-                           context.objective_name(objective));
+        design.fitness = ga::fitness_of(context.problem(), evaluation, context.problem().objectives()[objective],
+                                        context.objective_name(objective));
     });
 }
 
@@ -62,8 +60,7 @@ Designs shortened(const Designs& designs, ga::Context<DesignProblem>& context) {
         }
         context.charge({&work, 1});
         const std::vector<double> exceeded = excesses(tries, context);
-        shorter.push_back(
-            tries[static_cast<std::size_t>(std::ranges::min_element(exceeded) - exceeded.begin())]);
+        shorter.push_back(tries[static_cast<std::size_t>(std::ranges::min_element(exceeded) - exceeded.begin())]);
     }
     return shorter;
 }
@@ -84,8 +81,7 @@ DesignSetup on_coarser_grid(DesignSetup setup, int halvings) {
     for (int i = 0; i < halvings; ++i) {
         Grid grid = setup.model.grid;
         grid.nodes /= 2;
-        if (grid.is_2d())
-            grid.rows /= 2;
+        if (grid.is_2d()) grid.rows /= 2;
         if (std::min(grid.nodes, grid.is_2d() ? grid.rows : grid.nodes) < min_coarse_nodes ||
             setup.limits.shortest_wave < min_coarse_spacings * grid.widest_spacing())
             break;
@@ -124,8 +120,7 @@ DesignSetup corrected_targets(DesignSetup setup, const std::vector<Eigen::Vector
             };
             const double factor = std::clamp(value(here) / value(finest), 1 / most, most);
             target.y[k] *= factor;
-            if (target.has_band())
-                target.lower[k] *= factor, target.upper[k] *= factor;
+            if (target.has_band()) target.lower[k] *= factor, target.upper[k] *= factor;
         }
     }
     return setup;
@@ -134,25 +129,20 @@ DesignSetup corrected_targets(DesignSetup setup, const std::vector<Eigen::Vector
 /// Runs `body` on the first individual under corrected targets; the given population follows its result.
 DesignPipeline corrected(const ga::Arguments&, const DesignPipeline& body) {
     return ga::derived_stage<DesignProblem>(
-        "corrected", body,
-        [](Designs designs, const DesignPipeline& stages, ga::Context<DesignProblem>& context) {
+        "corrected", body, [](Designs designs, const DesignPipeline& stages, ga::Context<DesignProblem>& context) {
             std::vector<DesignOutcome> outcomes;
             for (const ga::Level level : {level::search, level::verified}) {
                 Designs first{designs.front()};
                 read_outcomes(first, level, context, [&](const DesignOutcome* outcome) {
-                    if (outcome)
-                        outcomes.push_back(*outcome);
+                    if (outcome) outcomes.push_back(*outcome);
                 });
             }
-            if (outcomes.size() < 2)
-                return designs;
+            if (outcomes.size() < 2) return designs;
             const DesignProblem& problem = context.problem();
             Designs all = run_derived(
-                stages,
-                problem.with(corrected_targets(problem.setup(), outcomes[0].misfits, outcomes[1].misfits)),
+                stages, problem.with(corrected_targets(problem.setup(), outcomes[0].misfits, outcomes[1].misfits)),
                 {designs.front()}, context);
-            for (auto& design : all)
-                context.make_child(design, ga::Parents(designs.front().identity));
+            for (auto& design : all) context.make_child(design, ga::Parents(designs.front().identity));
             all.insert(all.end(), designs.begin(), designs.end());
             return all;
         });
@@ -168,8 +158,7 @@ DesignPipeline within_limits(const ga::Arguments&, const DesignPipeline& body) {
     };
     stage.apply = [body](Designs designs, ga::Context<DesignProblem>& context) {
         const std::vector<double> over = excesses(designs, context);
-        if (std::ranges::any_of(over, [](double excess) { return excess <= 0; }))
-            return designs;
+        if (std::ranges::any_of(over, [](double excess) { return excess <= 0; })) return designs;
         Designs all = shortened(designs, context);
         all.insert(all.end(), designs.begin(), designs.end());
         return body(std::move(all), context);
@@ -198,19 +187,16 @@ ga::Registry<DesignProblem> design_registry(const DesignSetup& setup) {
                              Designs fresh(n);
                              std::vector<ga::Work> work(n);
                              ga::parallel_for(n, context.threads(), [&](std::size_t i) {
-                                 fresh[i].genome =
-                                     make(context.problem().setup(), i, context.stream(i), work[i]);
+                                 fresh[i].genome = make(context.problem().setup(), i, context.stream(i), work[i]);
                              });
                              context.charge(work);
-                             for (auto& design : fresh)
-                                 design.identity = context.new_identity();
+                             for (auto& design : fresh) design.identity = context.new_identity();
                              return fresh;
                          };
                          return stage;
                      });
     };
-    start("shape",
-          "replaces the population by n genomes that are made for the target, with contact solved backwards",
+    start("shape", "replaces the population by n genomes that are made for the target, with contact solved backwards",
           [](const DesignSetup& given, std::size_t, ga::Stream random, ga::Work&) {
               return shaped_start(given, random);
           });
@@ -218,8 +204,7 @@ ga::Registry<DesignProblem> design_registry(const DesignSetup& setup) {
           "replaces the population by n sums of the measured profile's waves, each of half as many waves as "
           "the one before; for a map by sums of random waves with its spectrum",
           [](const DesignSetup& given, std::size_t i, ga::Stream random, ga::Work& work) {
-              if (given.measured && given.measured->is_2d())
-                  return waves_like(given, random);
+              if (given.measured && given.measured->is_2d()) return waves_like(given, random);
               work.price += scan_waves_price(given);
               return scan_waves(given, max_scan_waves(given) >> i);
           });
@@ -253,8 +238,8 @@ ga::Registry<DesignProblem> design_registry(const DesignSetup& setup) {
           "the finer grid and in finer load steps",
           {}, corrected);
     block("within-limits",
-          "if no individual keeps the limits on shape, runs the pipeline on each without its shortest waves",
-          {}, within_limits);
+          "if no individual keeps the limits on shape, runs the pipeline on each without its shortest waves", {},
+          within_limits);
     const double length = setup.model.grid.length;
     // The phases of waves whose wavelength (mm) is at least `from` and below `to`.
     const auto waves = [&](const std::string& name, double from, double to, PhaseReach reach,
@@ -274,8 +259,7 @@ ga::Registry<DesignProblem> design_registry(const DesignSetup& setup) {
         const PhaseReach free{0, std::numbers::pi};
         waves("longer-" + part, length / parts, HUGE_VAL, free,
               "phases of waves of L/" + part + " and longer, without limits");
-        waves("shorter-" + part, 0, length / parts, free,
-              "phases of waves below L/" + part + ", without limits");
+        waves("shorter-" + part, 0, length / parts, free, "phases of waves below L/" + part + ", without limits");
     }
     return registry;
 }
@@ -289,8 +273,7 @@ DesignPipeline design_pipeline(const DesignSetup& setup, const std::string& text
 }
 
 std::string usual_variant(const DesignSetup& setup, bool stored) {
-    const bool wants_contact_area =
-        std::ranges::any_of(setup.targets, is_contact_fraction, &Target::quantity);
+    const bool wants_contact_area = std::ranges::any_of(setup.targets, is_contact_fraction, &Target::quantity);
     const bool is_like = setup.measured && wants_contact_area;
     return stored                     ? "in-line"
            : setup.model.grid.is_2d() ? is_like ? "maps-like" : "maps"
@@ -302,8 +285,8 @@ std::string usual_variant(const DesignSetup& setup, bool stored) {
 extern const char* const design_variants_ini; // variants.ini (.cmake/data.cmake)
 
 ga::Variants design_variants(double required) {
-    ga::Variants variants = variants_in(
-        boost::replace_all_copy<std::string>(design_variants_ini, "{required}", ga::number(required)));
+    ga::Variants variants =
+        variants_in(boost::replace_all_copy<std::string>(design_variants_ini, "{required}", ga::number(required)));
     variants.merge(paper_variants());
     return variants;
 }

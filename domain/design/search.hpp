@@ -33,16 +33,16 @@ DesignResponse response_of(const DesignSetup& setup, const Answer& answer);
 
 /// A genome on the Pareto front of the targets' similarities.
 struct Compromise {
-    Genome genome;                  ///< if Eq. 11 is used, its amplitude contains the factor of Eq. 11
-    std::vector<double> similarity; ///< similarity to each target, on the set-up's grid
+    Genome genome;                          ///< if Eq. 11 is used, its amplitude contains the factor of Eq. 11
+    std::vector<double> similarity;         ///< similarity to each target, on the set-up's grid
     std::vector<double> similarity_refined; ///< similarity to each target, on a grid four times finer
 };
 
 /// The genomes on the Pareto front of their similarities to the targets, in the order of rising similarity to
 /// the first target. Genomes beyond the set-up's limits are left out. If the front has more than `max_count`
 /// genomes, both ends and evenly spread genomes between them are returned.
-std::vector<Compromise> compromises(const DesignSetup& setup, const std::vector<Genome>& genomes,
-                                    std::size_t max_count, int threads);
+std::vector<Compromise> compromises(const DesignSetup& setup, const std::vector<Genome>& genomes, std::size_t max_count,
+                                    int threads);
 
 /// The result of a search and its cost.
 struct SearchResult : SearchRun {

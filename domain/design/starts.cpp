@@ -30,8 +30,7 @@ std::vector<int> drawn_order(const Grid& grid, ga::Stream& random) {
     std::vector<Peak> peaks(count);
     for (std::size_t p = 0; p < count; ++p) {
         const double place = random.uniform(margin, 1 - margin);
-        peaks[p].x =
-            is_map ? grid.length * place : (static_cast<double>(p) + place) / static_cast<double>(count);
+        peaks[p].x = is_map ? grid.length * place : (static_cast<double>(p) + place) / static_cast<double>(count);
         peaks[p].y = is_map ? grid.width * random.uniform(margin, 1 - margin) : 0;
         peaks[p].width = count == 1 ? 1 : random.uniform(0.7, 1);
     }
@@ -47,9 +46,9 @@ std::vector<int> drawn_order(const Grid& grid, ga::Stream& random) {
                      y = grid.first_y() + grid.row_spacing() * row;
         double nearest = HUGE_VAL;
         for (const Peak& peak : peaks)
-            nearest = std::min(
-                nearest, std::hypot(away(x, peak.x, is_map ? grid.length : 1), away(y, peak.y, grid.width)) /
-                             peak.width);
+            nearest =
+                std::min(nearest, std::hypot(away(x, peak.x, is_map ? grid.length : 1), away(y, peak.y, grid.width)) /
+                                      peak.width);
         distance.push_back(nearest);
     }
     const auto order = ascending(distance);
@@ -110,13 +109,12 @@ struct Cosine {
 /// The cosines of pairs of weights.
 std::vector<Cosine> cosines_of(const Eigen::VectorXd& weights) {
     std::vector<Cosine> all;
-    for (Index w = 0; w < weights.size(); w += 2)
-        all.emplace_back(weights[w], weights[w + 1]);
+    for (Index w = 0; w < weights.size(); w += 2) all.emplace_back(weights[w], weights[w + 1]);
     return all;
 }
 
-constexpr double unseen = 0.02; ///< weight of a node that does not touch; the weight of one that touches is 1
-constexpr int rounds = 4;       ///< rounds of fitting; after each, the nodes below the sum get the weight 1
+constexpr double unseen = 0.02;  ///< weight of a node that does not touch; the weight of one that touches is 1
+constexpr int rounds = 4;        ///< rounds of fitting; after each, the nodes below the sum get the weight 1
 constexpr double damping = 1e-4; ///< damping of the waves, relative to the sum of the nodes' weights
 /// Longer scans are divided into parts, whose highest nodes are fitted, because contact is on peaks.
 constexpr Index max_points = 2048;
@@ -135,8 +133,7 @@ Points points_of(const Profile& scan, const std::vector<int>& touching) {
         points.z[k] = scan.heights.segment(k * part, std::min(part, n - k * part)).maxCoeff(&highest);
         points.x[k] = scan.spacing * static_cast<double>(k * part + highest);
     }
-    for (const int node : touching)
-        points.weight[node / part] = 1;
+    for (const int node : touching) points.weight[node / part] = 1;
     return points;
 }
 
@@ -150,9 +147,7 @@ std::vector<int> touching(const DesignSetup& setup) {
     return solve_contact(*setup.measured, body, {last}, contact).states.front().nodes;
 }
 
-double longest_wave(const DesignSetup& setup) {
-    return (setup.model.grid.periodic ? 1 : 2) * setup.model.grid.length;
-}
+double longest_wave(const DesignSetup& setup) { return (setup.model.grid.periodic ? 1 : 2) * setup.model.grid.length; }
 
 } // namespace
 
@@ -161,8 +156,7 @@ Genome shaped_start(const DesignSetup& setup, ga::Stream random) {
     Grid grid = setup.model.grid;
     grid.nodes = std::min(grid.nodes, grid.is_2d() ? shaping_side : shaping_nodes);
     grid.rows = std::min(grid.rows, shaping_side);
-    const Profile surface{Eigen::VectorXd(grid.shape().nodes()), grid.spacing(), grid.rows,
-                          grid.row_spacing()};
+    const Profile surface{Eigen::VectorXd(grid.shape().nodes()), grid.spacing(), grid.rows, grid.row_spacing()};
     // A coarser grid requires a farther datum; a start need only be near the target.
     Body body = setup.model.body;
     if (body.kernel == Kernel::free)
@@ -174,11 +168,9 @@ Genome shaped_start(const DesignSetup& setup, ga::Stream random) {
     const double shortest = setup.limits.shortest_wave;
     const bool tips = setup.errors.noise > 0 && !grid.is_2d();
     const std::vector<int> order =
-        tips ? tips_order(grid, std::max(shortest, setup.errors.noise_length), random)
-             : drawn_order(grid, random);
-    InverseProfile inverse =
-        inverse_profile(surface, body, order, advance_for(target, surface.nodes()), last_pressure,
-                        target.against_pressure() ? infinity : target.last());
+        tips ? tips_order(grid, std::max(shortest, setup.errors.noise_length), random) : drawn_order(grid, random);
+    InverseProfile inverse = inverse_profile(surface, body, order, advance_for(target, surface.nodes()), last_pressure,
+                                             target.against_pressure() ? infinity : target.last());
     const bool periodic_line = grid.periodic && !grid.is_2d();
     if (periodic_line && setup.max_pressure)
         inverse = with_mean_at_full_approach(std::move(inverse), *setup.model.loading.reach);
@@ -193,15 +185,14 @@ Genome shaped_start(const DesignSetup& setup, ga::Stream random) {
     const double gamma = random.uniform(1.3, 1.6);
     const double H = random.uniform(0.8, 1.6);
     if (grid.is_2d())
-        return shaped_as(inverse.profile, drawn_series(setup, H, gamma, L * random.uniform(0.9, 1.5)),
-                         setup.ridges, grid, shortest);
-    if (grid.periodic)
-        return shaped_as(inverse.profile, harmonic_series(L, shortest, H), shortest);
+        return shaped_as(inverse.profile, drawn_series(setup, H, gamma, L * random.uniform(0.9, 1.5)), setup.ridges,
+                         grid, shortest);
+    if (grid.periodic) return shaped_as(inverse.profile, harmonic_series(L, shortest, H), shortest);
     const double lambda = L * random.uniform(1.2, 2.0);
     if (tips) // needs more waves than a series has
         return shaped_as(inverse.profile, harmonic_series(lambda, shortest, H), shortest);
-    const double second_lambda = lambda * random.uniform(0.6, 0.9),
-                 second_gamma = gamma * random.uniform(1.05, 1.2), second_H = H * random.uniform(0.8, 1.2);
+    const double second_lambda = lambda * random.uniform(0.6, 0.9), second_gamma = gamma * random.uniform(1.05, 1.2),
+                 second_H = H * random.uniform(0.8, 1.2);
     const std::vector<Series> series{drawn_series(setup, H, gamma, lambda),
                                      drawn_series(setup, second_H, second_gamma, second_lambda)};
     return shaped_as(inverse.profile, series, shortest);
@@ -230,16 +221,14 @@ std::vector<Genome> database_starts(const DesignSetup& setup, int threads) {
 
 Genome shaped_as(const Profile& profile, const std::vector<Series>& series, double shortest, double damping) {
     Genome genome{1, {}};
-    for (const Series& law : series)
-        genome.series.push_back(with_chromosomes(law, shortest, 2));
+    for (const Series& law : series) genome.series.push_back(with_chromosomes(law, shortest, 2));
     const Grid grid{profile.nodes(), profile.spacing * static_cast<double>(profile.nodes()), true};
     const std::vector<Cosine> wanted = cosines_of(fitted(wave_basis(genome, grid), profile.heights, damping));
     auto next = wanted.begin();
     for (Series& one : genome.series) {
         const auto first = next;
         double A = 1e-300;
-        for (const Chromosome& each : one.chromosomes)
-            A = std::max(A, next++->least_A(amplitude(one, each.n, 2)));
+        for (const Chromosome& each : one.chromosomes) A = std::max(A, next++->least_A(amplitude(one, each.n, 2)));
         one.A = A;
         next = first;
         for (Chromosome& each : one.chromosomes) {
@@ -251,8 +240,7 @@ Genome shaped_as(const Profile& profile, const std::vector<Series>& series, doub
     return genome;
 }
 
-Genome shaped_as(const Profile& map, const Series& law, int ridges, const Grid& grid, double shortest,
-                 double damping) {
+Genome shaped_as(const Profile& map, const Series& law, int ridges, const Grid& grid, double shortest, double damping) {
     const auto count = static_cast<std::size_t>(ridges);
     Series one = with_chromosomes(law, shortest, count);
     const std::vector<PlaneWave> waves = plane_waves({1, {one}}, grid);
@@ -268,8 +256,7 @@ Genome shaped_as(const Profile& map, const Series& law, int ridges, const Grid& 
     }
     const std::vector<Cosine> wanted = cosines_of(fitted(basis, map.heights, damping));
     double A = 1e-300;
-    for (std::size_t w = 0; w < waves.size(); ++w)
-        A = std::max(A, wanted[w].least_A(waves[w].amplitude));
+    for (std::size_t w = 0; w < waves.size(); ++w) A = std::max(A, wanted[w].least_A(waves[w].amplitude));
     one.A = A;
     Series twin = one;
     for (std::size_t w = 0; w < waves.size(); ++w) {
@@ -282,8 +269,7 @@ Genome shaped_as(const Profile& map, const Series& law, int ridges, const Grid& 
 
 Index max_scan_waves(const DesignSetup& setup) {
     return static_cast<Index>(longest_wave(setup) /
-                              std::max(setup.limits.shortest_wave, 2 * setup.model.grid.spacing()) *
-                              (1 + 1e-12));
+                              std::max(setup.limits.shortest_wave, 2 * setup.model.grid.spacing()) * (1 + 1e-12));
 }
 
 double scan_waves_price(const DesignSetup& setup) {
@@ -294,10 +280,8 @@ double scan_waves_price(const DesignSetup& setup) {
 }
 
 Genome scan_waves(const DesignSetup& setup, Index waves) {
-    if (!setup.measured)
-        throw InputError("own: a measured profile is missing; design like a scan");
-    if (setup.measured->is_2d())
-        throw InputError("own: the measured surface is a map; use a profile");
+    if (!setup.measured) throw InputError("own: a measured profile is missing; design like a scan");
+    if (setup.measured->is_2d()) throw InputError("own: the measured surface is a map; use a profile");
     const double longest = longest_wave(setup);
     const Index count = std::max<Index>(1, waves);
     Points points = points_of(*setup.measured, touching(setup));
@@ -327,8 +311,7 @@ Genome scan_waves(const DesignSetup& setup, Index waves) {
                       longest / static_cast<double>(k),
                       {{1, {wave.theta}}}};
         series.A = wave.R / amplitude(series, 1, 1);
-        if (series.A > 0)
-            genome.series.push_back(std::move(series));
+        if (series.A > 0) genome.series.push_back(std::move(series));
     }
     return genome;
 }
@@ -358,8 +341,7 @@ Genome waves_like(const DesignSetup& setup, ga::Stream random) {
         }
     Genome genome{1, {}};
     for (Index b = 0; b < bands; ++b) {
-        if (!(power.row(b).sum() > negligible * power.sum()))
-            continue;
+        if (!(power.row(b).sum() > negligible * power.sum())) continue;
         Series series{1,
                       std::clamp(1.0, setup.bounds.H_from, setup.bounds.H_to),
                       std::clamp(2.0, setup.bounds.gamma_from, setup.bounds.gamma_to),

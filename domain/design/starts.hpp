@@ -25,8 +25,7 @@ std::vector<Genome> database_starts(const DesignSetup& setup, int threads);
 /// (mm) has two ridges. Their phases make one cosine of any amplitude up to 2 G_n (Eq. 7). A is the smallest
 /// value with which every cosine needs at most 0.9 of this bound. `damping` limits the waves, relative to the
 /// heights. Throws InputError if the longest wave of a series is shorter than `shortest`.
-Genome shaped_as(const Profile& profile, const std::vector<Series>& series, double shortest,
-                 double damping = 1e-6);
+Genome shaped_as(const Profile& profile, const std::vector<Series>& series, double shortest, double damping = 1e-6);
 
 /// The genome for a map: two copies of the series `law`, with `ridges` directions per chromosome. Each wave
 /// vector then has two phases, which give any amplitude up to 2 G_n. plane_waves() gives the wave vectors on

@@ -49,8 +49,7 @@ class ErrorTrials {
     std::vector<double> with_noise(double rms, int draws) {
         std::vector<double> similarities(static_cast<std::size_t>(draws));
         draws_.resize(std::max(draws_.size(), similarities.size()));
-        each(similarities.size(),
-             [&](std::size_t i) { similarities[i] = similarity_under(draws_[i], i, rms); });
+        each(similarities.size(), [&](std::size_t i) { similarities[i] = similarity_under(draws_[i], i, rms); });
         std::sort(similarities.begin(), similarities.end());
         return similarities;
     }
@@ -67,18 +66,15 @@ class ErrorTrials {
                 kept_above = kept_above || (size >= rms && similarity >= level);
             }
             lost += lost_below;
-            if (!lost_below && !kept_above)
-                unknown.push_back(i);
+            if (!lost_below && !kept_above) unknown.push_back(i);
         }
         each(unknown.size(), [&](std::size_t i) { similarity_under(draws_[unknown[i]], unknown[i], rms); });
-        for (const std::size_t i : unknown)
-            lost += draws_[i].similarity.at(rms) < level;
+        for (const std::size_t i : unknown) lost += draws_[i].similarity.at(rms) < level;
         return lost <= may_lose(draws);
     }
 
     /// For each size of an error, the lowest similarity under these shapes (heights, mm) in either direction.
-    std::vector<double> lowest(const std::vector<Eigen::VectorXd>& shapes,
-                               const std::vector<double>& sizes) const {
+    std::vector<double> lowest(const std::vector<Eigen::VectorXd>& shapes, const std::vector<double>& sizes) const {
         const std::size_t cases = 2 * shapes.size();
         std::vector<double> all(sizes.size() * cases), result;
         each(all.size(), [&](std::size_t i) {
@@ -111,8 +107,7 @@ class ErrorTrials {
     template <class Job>
     void each(std::size_t n, Job job) const {
         ga::parallel_for(n, threads_, [&](std::size_t i) {
-            if (watch_.expired() || is_stopped(setup_.model.contact))
-                throw ga::Stopped{"time budget spent"};
+            if (watch_.expired() || is_stopped(setup_.model.contact)) throw ga::Stopped{"time budget spent"};
             job(i);
         });
     }
@@ -145,8 +140,7 @@ KeptBySize ladder(double cap, double ratio, double high, double low, KeptAt kept
 
 /// The largest size before the first below the level, or 0, and that first size; if none is, twice the last.
 std::pair<double, double> bracket(const KeptBySize& all, double level) {
-    const auto lost =
-        std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.second < level; });
+    const auto lost = std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.second < level; });
     const double kept = lost == all.begin() ? 0 : std::prev(lost)->first;
     return {kept, lost == all.end() ? kept : lost->first};
 }
@@ -161,16 +155,13 @@ void find_errors(const ErrorTrials& trials, const std::vector<Eigen::VectorXd>& 
     const auto probe_inside = [&](const Gaps& gaps, int into) {
         std::vector<double> sizes;
         for (const auto& [from, to] : gaps)
-            for (int i = 1; i < into; ++i)
-                sizes.push_back(from + (to - from) * i / into);
+            for (int i = 1; i < into; ++i) sizes.push_back(from + (to - from) * i / into);
         const std::vector<double> similarities = trials.lowest(shapes, sizes);
-        for (std::size_t i = 0; i < sizes.size(); ++i)
-            all[sizes[i]] = similarities[i];
+        for (std::size_t i = 0; i < sizes.size(); ++i) all[sizes[i]] = similarities[i];
     };
     Gaps octaves;
     double last = 0;
-    for (const auto& [size, similarity] : all)
-        octaves.emplace_back(std::exchange(last, size), size);
+    for (const auto& [size, similarity] : all) octaves.emplace_back(std::exchange(last, size), size);
     probe_inside(octaves, parts);
     for (ToleranceLevel& level : levels) {
         auto [from, to] = bracket(all, level.similarity);
@@ -186,22 +177,18 @@ void find_errors(const ErrorTrials& trials, const std::vector<Eigen::VectorXd>& 
 /// with more, each time around the noise found before.
 double largest_noise(ErrorTrials& trials, const KeptBySize& rough_steps, double level, int few, int draws) {
     auto [from, to] = bracket(rough_steps, level);
-    if (from == 0 || from == to)
-        return from;
+    if (from == 0 || from == to) return from;
     for (int n = few;; n = std::min(3 * n, draws)) {
         const double ratio = n < draws ? 1.1 : precision, margin = 1 + 1.5 / std::sqrt(n);
-        if (n > few)
-            to *= margin;
-        while (to < trials.range() && trials.keep(level, to, n))
-            from = std::exchange(to, margin * to);
+        if (n > few) to *= margin;
+        while (to < trials.range() && trials.keep(level, to, n)) from = std::exchange(to, margin * to);
         while (from > smallest * trials.range() && !trials.keep(level, from, n))
             to = std::exchange(from, from / margin);
         while (to > ratio * from) {
             const double middle = (from + to) / 2;
             (trials.keep(level, middle, n) ? from : to) = middle;
         }
-        if (n == draws)
-            return from;
+        if (n == draws) return from;
     }
 }
 
@@ -235,8 +222,7 @@ Effort effort_of(double curves, Effort full) {
 /// The effort in the time that is left, of which 0.7 is planned by the time of some curves.
 Effort effort_in_time(ErrorTrials& trials, Effort full) {
     const ga::Stopwatch clock;
-    trials.lowest({trials.heights()},
-                  std::vector(static_cast<std::size_t>(trials.threads()), 1e-6)); // 2 each
+    trials.lowest({trials.heights()}, std::vector(static_cast<std::size_t>(trials.threads()), 1e-6)); // 2 each
     return effort_of(1.4 * trials.seconds_left() * trials.threads() / clock.seconds(), full);
 }
 
@@ -253,16 +239,14 @@ Tolerance tolerance_of(const DesignSetup& setup, const Genome& genome, const Tol
     try {
         result.similarity = trials.similarity();
         const Effort full = full_effort(setup);
-        const Effort priced =
-            options.draws ? Effort{*options.draws, full.parts} : effort_of(options.price, full);
+        const Effort priced = options.draws ? Effort{*options.draws, full.parts} : effort_of(options.price, full);
         const bool in_time = !options.fixed_draws && !options.draws && !std::isinf(options.seconds);
         const auto [draws, parts] = in_time ? effort_in_time(trials, priced) : priced;
         result.shortened = Effort{draws, parts} != priced;
         result.draws = draws;
         std::tie(result.share_from, result.share_to) = share_interval(Tolerance::share, draws);
-        const auto first = std::ranges::find_if(result.levels, [&](const ToleranceLevel& level) {
-            return level.similarity <= result.similarity;
-        });
+        const auto first = std::ranges::find_if(
+            result.levels, [&](const ToleranceLevel& level) { return level.similarity <= result.similarity; });
         for (ToleranceLevel& level : std::span(result.levels.begin(), first))
             level.noise_rms = level.tilt = level.scale = 0;
         const std::span feasible(first, result.levels.end());
@@ -271,8 +255,8 @@ Tolerance tolerance_of(const DesignSetup& setup, const Genome& genome, const Tol
                         &ToleranceLevel::tilt);
             find_errors(trials, {trials.heights()}, max_scale, parts, feasible, &ToleranceLevel::scale);
             const int few = std::max(std::min(few_draws, draws), draws / 10);
-            const KeptBySize all = ladder(
-                trials.range(), 4, feasible.front().similarity, feasible.back().similarity, [&](double rms) {
+            const KeptBySize all =
+                ladder(trials.range(), 4, feasible.front().similarity, feasible.back().similarity, [&](double rms) {
                     const std::vector<double> similarities = trials.with_noise(rms, few);
                     const double kept = similarities[may_lose(few)];
                     result.curve.push_back({rms, kept, quantile(similarities, 0.5), few});
@@ -282,8 +266,7 @@ Tolerance tolerance_of(const DesignSetup& setup, const Genome& genome, const Tol
                 level.noise_rms = bracket(all, level.similarity).first;
             for (auto level = feasible.rbegin(); level != feasible.rend(); ++level) {
                 level->noise_rms = largest_noise(trials, all, level->similarity, few, draws);
-                if (level->noise_rms > 0)
-                    result.curve.push_back({level->noise_rms, level->similarity, unknown, draws});
+                if (level->noise_rms > 0) result.curve.push_back({level->noise_rms, level->similarity, unknown, draws});
             }
         }
     } catch (const ga::Stopped&) {
@@ -295,13 +278,11 @@ Tolerance tolerance_of(const DesignSetup& setup, const Genome& genome, const Tol
     return result;
 }
 
-double similarity_under_errors(const DesignSetup& setup, const Genome& genome,
-                               const ToleranceOptions& options) {
+double similarity_under_errors(const DesignSetup& setup, const Genome& genome, const ToleranceOptions& options) {
     try {
         ErrorTrials trials(setup, genome, options);
         const double tilted = trials.lowest(unit_tilts(setup.model.grid), {setup.errors.tilt}).front();
-        if (!(setup.errors.noise > 0))
-            return tilted;
+        if (!(setup.errors.noise > 0)) return tilted;
         const int count = options.draws.value_or(draws_for(setup.model.grid));
         return std::min(tilted, trials.with_noise(setup.errors.noise, count)[may_lose(count)]);
     } catch (const ga::Stopped&) {

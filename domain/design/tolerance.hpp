@@ -15,8 +15,8 @@ struct ToleranceOptions {
     double seconds = std::numeric_limits<double>::infinity();
     /// Price of the curves to solve, in curves of the set-up's model. If it is small, fewer errors are tried.
     double price = std::numeric_limits<double>::infinity();
-    std::optional<int> draws = {}; ///< number of draws of noise, whatever they cost; none: from the price
-    bool fixed_draws = false;      ///< whether the number of draws ignores `seconds`
+    std::optional<int> draws = {};           ///< number of draws of noise, whatever they cost; none: from the price
+    bool fixed_draws = false;                ///< whether the number of draws ignores `seconds`
     const std::atomic<bool>* stop = nullptr; ///< true ends the work early, as `seconds` does
 };
 
@@ -67,7 +67,6 @@ Tolerance tolerance_of(const DesignSetup& setup, const Genome& genome, const Tol
 
 /// The lowest similarity under DesignSetup::errors. For noise it is the similarity that 95 % of the draws
 /// reach. Tilts are in both directions, on a map along x and y. NaN: not computed in time.
-double similarity_under_errors(const DesignSetup& setup, const Genome& genome,
-                               const ToleranceOptions& options = {});
+double similarity_under_errors(const DesignSetup& setup, const Genome& genome, const ToleranceOptions& options = {});
 
 } // namespace rough

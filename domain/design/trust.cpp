@@ -39,8 +39,7 @@ void assess_strains(const DesignSetup& setup, const Genome& genome, const TrustO
     const Profile profile = sample(genome, setup.model.grid);
     trust.rms_slope = gradient_of(genome, setup.model.grid);
     double displacement = 0;
-    for (const Response& one : response.responses)
-        displacement = std::max(displacement, one.displacement.tail(1)[0]);
+    for (const Response& one : response.responses) displacement = std::max(displacement, one.displacement.tail(1)[0]);
     ContactOptions contact = setup.model.contact;
     contact.states = true;
     trust.last = solve_contact(profile, setup.model.body, {displacement}, contact).states.front();
@@ -55,8 +54,7 @@ void assess_strains(const DesignSetup& setup, const Genome& genome, const TrustO
     trust.shortest_wave_nodes = shortest_wave(genome) * (1 + 1e-12) / setup.model.grid.widest_spacing();
 
     if (trust.rms_slope > 0.1)
-        flag(trust, "rms slope ", trust.rms_slope,
-             " is above 0.1: ", profile.is_2d() ? "half-space" : "half-plane",
+        flag(trust, "rms slope ", trust.rms_slope, " is above 0.1: ", profile.is_2d() ? "half-space" : "half-plane",
              " theory assumes small slopes");
     if (options.hardness && trust.peak_pressure > *options.hardness)
         flag(trust, "peak pressure ", trust.peak_pressure, " MPa is above the hardness, ", *options.hardness,
@@ -77,8 +75,8 @@ struct Job {
     bool decides = false;
 };
 
-std::vector<Job> jobs_for(const DesignSetup& setup, const Genome& genome, const TrustOptions& options,
-                          Trust& trust, const Answer* verified) {
+std::vector<Job> jobs_for(const DesignSetup& setup, const Genome& genome, const TrustOptions& options, Trust& trust,
+                          const Answer* verified) {
     std::vector<Job> jobs;
     std::vector<Check>* const checks = &trust.checks;
     const auto under = [&](std::vector<Check>* list, const std::string& name, const Model& model) {
@@ -93,12 +91,9 @@ std::vector<Job> jobs_for(const DesignSetup& setup, const Genome& genome, const 
             jobs.push_back({checks, name, [=] { return verified->*known; }});
     };
     const Refinement by = verified_refinement(setup.model.grid);
-    const auto times = [](auto factor, const char* of) {
-        return std::to_string(factor) + " times the " + of;
-    };
+    const auto times = [](auto factor, const char* of) { return std::to_string(factor) + " times the " + of; };
     ask(as_designed, setup.model, &Verification::similarity);
-    if (by.nodes > 2)
-        ask(times(2, "nodes"), refined(setup.model, 2), nullptr);
+    if (by.nodes > 2) ask(times(2, "nodes"), refined(setup.model, 2), nullptr);
     ask(times(by.nodes, "nodes"), refined(setup.model, by.nodes), &Verification::refined);
     Model steps = setup.model;
     steps.loading.steps *= by.steps;
@@ -124,16 +119,13 @@ std::vector<Job> jobs_for(const DesignSetup& setup, const Genome& genome, const 
                         [&, errors] {
                             DesignSetup with = setup;
                             with.errors = errors;
-                            return similarity_under_errors(with, genome,
-                                                           {.seed = options.seed, .threads = 1});
+                            return similarity_under_errors(with, genome, {.seed = options.seed, .threads = 1});
                         },
                         true});
     };
     if (noise > 0)
-        under_errors(line_of("height noise of ", noise, " mm rms, 95 % of the draws"),
-                     {noise, noise_length, 0});
-    if (tilt > 0)
-        under_errors(line_of("tilt of ", tilt, " mm over the length"), {0, noise_length, tilt});
+        under_errors(line_of("height noise of ", noise, " mm rms, 95 % of the draws"), {noise, noise_length, 0});
+    if (tilt > 0) under_errors(line_of("tilt of ", tilt, " mm over the length"), {0, noise_length, tilt});
     if (options.hardness && trust.peak_pressure > *options.hardness) {
         DesignSetup yielding = unscaled;
         yielding.model.body.hardness = *options.hardness;
@@ -159,8 +151,7 @@ std::vector<Job> jobs_for(const DesignSetup& setup, const Genome& genome, const 
                             for (Series& series : moved.series)
                                 for (Chromosome& chromosome : series.chromosomes) {
                                     const double turn = random.uniform(0, 2 * std::numbers::pi);
-                                    for (double& phase : chromosome.phases)
-                                        phase += turn;
+                                    for (double& phase : chromosome.phases) phase += turn;
                                 }
                             return similarity(setup, with_fitting_amplitude(setup, moved));
                         }});
@@ -171,19 +162,16 @@ std::vector<Job> jobs_for(const DesignSetup& setup, const Genome& genome, const 
 
 std::vector<Target> with_datum(const std::vector<Target>& targets, const Model& model, double factor) {
     // The displacement that the farther datum adds per unit of mean pressure, mm/MPa.
-    const double c =
-        -datum_sensitivity(1, model.grid.length, model.body.effective_modulus) * std::log(factor);
+    const double c = -datum_sensitivity(1, model.grid.length, model.body.effective_modulus) * std::log(factor);
     std::vector<Target> moved;
     for (Target target : targets) {
         const auto stiffer = [&](Eigen::VectorXd& K) { K = K.array() / (1 + c * K.array()); };
         if (target.quantity == Quantity::stiffness) {
             stiffer(target.y);
-            if (target.has_band())
-                stiffer(target.lower), stiffer(target.upper);
+            if (target.has_band()) stiffer(target.lower), stiffer(target.upper);
         } else if (target.quantity == Quantity::load_at_displacement && !target.has_band()) {
             target.x += c * target.y;
-        } else if (target.quantity != Quantity::area_at_pressure &&
-                   target.quantity != Quantity::interface_stiffness) {
+        } else if (target.quantity != Quantity::area_at_pressure && target.quantity != Quantity::interface_stiffness) {
             continue;
         }
         moved.push_back(std::move(target));
@@ -201,8 +189,7 @@ Trust trust_in(DesignSetup setup, const Genome& genome, const TrustOptions& opti
     std::vector<double> values(jobs.size());
     std::vector<char> done(jobs.size(), 0);
     ga::parallel_for(jobs.size(), ga::thread_count(options.threads), [&](std::size_t i) {
-        if (late())
-            return;
+        if (late()) return;
         try {
             values[i] = jobs[i].similarity();
         } catch (const std::exception&) {
@@ -217,23 +204,20 @@ Trust trust_in(DesignSetup setup, const Genome& genome, const TrustOptions& opti
             trust.redrawn.push_back(values[i]);
         } else if (done[i]) {
             list->push_back({name, values[i], decides});
-            if (decides)
-                deciding.push_back(values[i]);
+            if (decides) deciding.push_back(values[i]);
         } else if (list) {
             trust.left_out.push_back(name);
             trust.all_decided = trust.all_decided && !decides;
         }
     }
     if (!deciding.empty()) // a check without a response is the worst
-        trust.under = *std::min_element(deciding.begin(), deciding.end(), [](double a, double b) {
-            return a < b || (std::isnan(a) && !std::isnan(b));
-        });
+        trust.under = *std::min_element(deciding.begin(), deciding.end(),
+                                        [](double a, double b) { return a < b || (std::isnan(a) && !std::isnan(b)); });
     for (const Check& one : trust.checks)
         if (one.name == in_finer_steps_too && trust.checks[0].name == as_designed &&
             one.similarity < trust.checks[0].similarity - unsettled)
             flag(trust, "with ", in_finer_steps_too, ", the similarity is ", one.similarity,
-                 ": the two curves agree less between the ", setup.model.loading.steps,
-                 " steps than at them");
+                 ": the two curves agree less between the ", setup.model.loading.steps, " steps than at them");
     if (const int missing = options.phase_draws - static_cast<int>(trust.redrawn.size()); missing > 0)
         trust.left_out.push_back(std::to_string(missing) + " sets of redrawn phases");
     return trust;

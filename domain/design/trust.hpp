@@ -6,10 +6,10 @@ namespace rough {
 
 /// Options of the checks of an answer.
 struct TrustOptions {
-    int phase_draws = 30;                ///< number of genomes with redrawn phases
-    std::optional<double> hardness = {}; ///< hardness of the answer and of a measured target, MPa
-    std::uint64_t seed = 1;              ///< seed of the noise and of the redrawn phases
-    int threads = 0;                     ///< number of threads; 0: all
+    int phase_draws = 30;                                     ///< number of genomes with redrawn phases
+    std::optional<double> hardness = {};                      ///< hardness of the answer and of a measured target, MPa
+    std::uint64_t seed = 1;                                   ///< seed of the noise and of the redrawn phases
+    int threads = 0;                                          ///< number of threads; 0: all
     double seconds = std::numeric_limits<double>::infinity(); ///< wall time of all checks, s
     const std::atomic<bool>* stop = nullptr;                  ///< true ends the checks, as `seconds` does
 };
@@ -48,8 +48,8 @@ struct Trust {
 /// from `verified`, if it is given: as designed, with more nodes, and with more load steps.
 /// Those that are NaN are left out. The check with a farther datum uses the targets of with_datum().
 /// `designed` is response_of(), if known.
-Trust trust_in(DesignSetup setup, const Genome& genome, const TrustOptions& options,
-               const Answer* verified = nullptr, const DesignResponse* designed = nullptr);
+Trust trust_in(DesignSetup setup, const Genome& genome, const TrustOptions& options, const Answer* verified = nullptr,
+               const DesignResponse* designed = nullptr);
 
 /// Converts targets exactly to a datum that is `factor` times the model's. Only for the free kernel. With c =
 /// (2 L/(pi E*)) ln factor, 1/K grows by c and displacements grow by c P at equal load. Contact area against

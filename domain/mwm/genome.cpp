@@ -45,8 +45,7 @@ std::vector<Series> by_wave_length(const Genome& genome) {
 
 /// Whether a series has the genes of a scale, and its place n free.
 bool takes(const Series& series, const Series& scale) {
-    return series.A == scale.A && series.H == scale.H && series.gamma == scale.gamma &&
-           series.lambda == scale.lambda &&
+    return series.A == scale.A && series.H == scale.H && series.gamma == scale.gamma && series.lambda == scale.lambda &&
            std::ranges::count(series.chromosomes, scale.chromosomes[0].n, &Chromosome::n) == 0;
 }
 
@@ -79,25 +78,21 @@ std::string shown(const json& value) {
 }
 
 void expect_object(const json& value, const std::string& where, std::initializer_list<const char*> keys) {
-    if (!value.is_object())
-        refuse(where, ": ", shown(value), " is not an object; write { ... }");
+    if (!value.is_object()) refuse(where, ": ", shown(value), " is not an object; write { ... }");
     for (const auto& [key, item] : value.items())
         if (std::find(keys.begin(), keys.end(), key) == keys.end())
             refuse(where, ": unknown key \"", key, "\"; remove it");
     for (const char* key : keys)
-        if (!value.contains(key))
-            refuse(where, ": key \"", key, "\" is missing; add it");
+        if (!value.contains(key)) refuse(where, ": key \"", key, "\" is missing; add it");
 }
 
 void expect_number(const json& value, const char* name, const std::string& where) {
-    if (!value.is_number())
-        refuse(where, ": ", name, " is ", shown(value), ", which is not a number; give one");
+    if (!value.is_number()) refuse(where, ": ", name, " is ", shown(value), ", which is not a number; give one");
 }
 
 const json& array(const json& object, const char* key, const std::string& where) {
     const json& value = object.at(key);
-    if (!value.is_array())
-        refuse(where, ": ", key, " is ", shown(value), ", which is not an array; write [ ... ]");
+    if (!value.is_array()) refuse(where, ": ", key, " is ", shown(value), ", which is not an array; write [ ... ]");
     return value;
 }
 
@@ -106,49 +101,40 @@ void expect_chromosome(const json& value, const std::string& where) {
     const json& n = value.at("n");
     if (!n.is_number_integer() || n.get<double>() < 1 || n.get<double>() > 1e6)
         refuse(where, ": n is ", shown(n), ", which is out of range (a whole number from 1 to 1e6)");
-    for (const json& phase : array(value, "phases", where))
-        expect_number(phase, "a phase (rad)", where);
+    for (const json& phase : array(value, "phases", where)) expect_number(phase, "a phase (rad)", where);
 }
 
 } // namespace
 
 void validate(const Genome& genome, const std::string& where) {
-    const auto expect = [](bool good, const std::string& place, const char* what, double value,
-                           const char* expected) {
-        if (!good)
-            refuse(place, ": ", what, " is ", value, "; use a finite number", expected);
+    const auto expect = [](bool good, const std::string& place, const char* what, double value, const char* expected) {
+        if (!good) refuse(place, ": ", what, " is ", value, "; use a finite number", expected);
     };
     expect(std::isfinite(genome.scale) && genome.scale != 0, where, "scale", genome.scale, " other than 0");
-    if (genome.series.empty())
-        refuse(where, ": no series; give at least one");
+    if (genome.series.empty()) refuse(where, ": no series; give at least one");
     for (std::size_t s = 0; s < genome.series.size(); ++s) {
         const auto& series = genome.series[s];
         const std::string place = where + ": series " + std::to_string(s + 1);
         expect(std::isfinite(series.A) && series.A != 0, place, "A", series.A, " other than 0");
         expect(std::isfinite(series.H), place, "H", series.H, "");
-        expect(std::isfinite(series.gamma) && series.gamma > 1, place, "gamma", series.gamma,
-               " greater than 1");
+        expect(std::isfinite(series.gamma) && series.gamma > 1, place, "gamma", series.gamma, " greater than 1");
         expect(std::isfinite(series.lambda) && series.lambda > 0, place, "lambda", series.lambda,
                " greater than 0 (mm)");
-        if (series.chromosomes.empty())
-            refuse(place, ": no chromosomes; give at least one");
+        if (series.chromosomes.empty()) refuse(place, ": no chromosomes; give at least one");
         std::set<int> seen;
         for (const auto& chromosome : series.chromosomes) {
-            if (chromosome.n < 1)
-                refuse(place, ": a chromosome has n = ", chromosome.n, "; use n >= 1");
+            if (chromosome.n < 1) refuse(place, ": a chromosome has n = ", chromosome.n, "; use n >= 1");
             if (!seen.insert(chromosome.n).second)
                 refuse(place, ": chromosome n = ", chromosome.n, " is given twice; give each n once");
             if (chromosome.phases.empty())
                 refuse(place, ": chromosome n = ", chromosome.n, " has no phases; give at least one");
-            for (double phase : chromosome.phases)
-                expect(std::isfinite(phase), place, "a phase", phase, " (rad)");
+            for (double phase : chromosome.phases) expect(std::isfinite(phase), place, "a phase", phase, " (rad)");
         }
     }
 }
 
 Genome folded(Genome genome) {
-    for (auto& series : genome.series)
-        series.A *= genome.scale;
+    for (auto& series : genome.series) series.A *= genome.scale;
     genome.scale = 1;
     return genome;
 }
@@ -165,9 +151,8 @@ Genome sum(const Genome& left, const Genome& right) {
     std::vector<Series> all = folded(left).series;
     const std::vector<Series> others = folded(right).series;
     all.insert(all.end(), others.begin(), others.end());
-    std::sort(all.begin(), all.end(), [&](const Series& a, const Series& b) {
-        return std::pair(form(a), a.A) < std::pair(form(b), b.A);
-    });
+    std::sort(all.begin(), all.end(),
+              [&](const Series& a, const Series& b) { return std::pair(form(a), a.A) < std::pair(form(b), b.A); });
     Genome child{1, {}};
     for (const auto& series : all)
         if (!child.series.empty() && form(child.series.back()) == form(series))
@@ -180,12 +165,9 @@ Genome sum(const Genome& left, const Genome& right) {
 
 std::string shape_key(const Genome& genome) {
     std::string key;
-    const auto append = [&](auto number) {
-        key.append(reinterpret_cast<const char*>(&number), sizeof number);
-    };
+    const auto append = [&](auto number) { key.append(reinterpret_cast<const char*>(&number), sizeof number); };
     for (const auto& series : genome.series) {
-        for (double gene : {series.A, series.H, series.gamma, series.lambda})
-            append(gene);
+        for (double gene : {series.A, series.H, series.gamma, series.lambda}) append(gene);
         append(series.chromosomes.size());
         for (const auto& chromosome : series.chromosomes) {
             append(chromosome.n);
@@ -221,8 +203,7 @@ void cross_points(Genome& a, Genome& b, std::size_t cuts, ga::Stream& stream) {
 void cross_uniform(Genome& a, Genome& b, ga::Stream& stream) {
     crossed(a, b, [&](auto& left, auto& right) {
         for (std::size_t i = 0; i < std::min(left.size(), right.size()); ++i)
-            if (stream.chance(0.5))
-                std::swap(left[i], right[i]);
+            if (stream.chance(0.5)) std::swap(left[i], right[i]);
     });
 }
 
@@ -238,8 +219,7 @@ Genome genome_from_json(const json& value, const std::string& where) {
     for (const json& item : array(value, "series", where)) {
         const std::string place = where + ": series " + std::to_string(genome.series.size() + 1);
         expect_object(item, place, {"A", "H", "gamma", "lambda", "chromosomes"});
-        for (const char* gene : {"A", "H", "gamma", "lambda"})
-            expect_number(item.at(gene), gene, place);
+        for (const char* gene : {"A", "H", "gamma", "lambda"}) expect_number(item.at(gene), gene, place);
         int count = 0;
         for (const json& chromosome : array(item, "chromosomes", place))
             expect_chromosome(chromosome, place + ", chromosome " + std::to_string(++count));
@@ -253,9 +233,8 @@ GenomeFile read_genome_file(const std::filesystem::path& file) {
     const std::string text = read_whole(file, max_genome_bytes);
     if (const auto first = text.find_first_not_of(" \t\r\n");
         first != text.npos && text[first] != '{' && text[first] != '[')
-        refuse(file.string(),
-               ", line 1: not a genome, which is a JSON object; give a measurement as a profile "
-               "or as a surface");
+        refuse(file.string(), ", line 1: not a genome, which is a JSON object; give a measurement as a profile "
+                              "or as a surface");
     json value = parsed_json(text, file.string());
     GenomeFile read;
     if (value.is_object() && value.contains("length_mm")) {
@@ -274,8 +253,7 @@ Genome read_genome(const std::filesystem::path& file) { return read_genome_file(
 
 std::string genome_file_text(const Genome& genome, double length) {
     json file = genome_to_json(genome);
-    if (length != standard_length)
-        file["length_mm"] = length;
+    if (length != standard_length) file["length_mm"] = length;
     return json_text(file) + "\n";
 }
 

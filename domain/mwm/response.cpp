@@ -10,8 +10,7 @@ namespace {
 Profile rough_profile(const Genome& genome, const Grid& grid) {
     Profile profile = sample(genome, grid);
     if (is_flat(profile, genome))
-        refuse("profile: all heights are equal at its ", profile.nodes(),
-               " nodes; use waves that this grid can show");
+        refuse("profile: all heights are equal at its ", profile.nodes(), " nodes; use waves that this grid can show");
     return profile;
 }
 
@@ -60,14 +59,12 @@ SumOfWaves without_short_waves(const Genome& genome, const Grid& grid, const Pro
 } // namespace
 
 Grid resolved_grid(const Genome& genome, double length, bool periodic) {
-    const double elements =
-        std::clamp(std::ceil(64 * length / shortest_wave(genome) - 1e-9), 4096.0, 1048576.0);
+    const double elements = std::clamp(std::ceil(64 * length / shortest_wave(genome) - 1e-9), 4096.0, 1048576.0);
     return {static_cast<Index>(elements) + (periodic ? 0 : 1), length, periodic};
 }
 
 Response respond(const Genome& genome, const Model& model) {
-    if (model.accuracy > 0)
-        return respond_within(genome, model).response;
+    if (model.accuracy > 0) return respond_within(genome, model).response;
     return respond(rough_profile(genome, model.grid), model.body, model.loading, model.contact);
 }
 

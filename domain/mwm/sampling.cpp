@@ -36,14 +36,12 @@ struct AlongWave {
 
     AlongWave(double step, double phase, Index nodes)
         : starts(phase, step * block, (nodes + block - 1) / block), fine(0, step, std::min(block, nodes)) {
-        angles = {
-            nodes, block, starts.cosines.data(), starts.sines.data(), fine.cosines.data(), fine.sines.data()};
+        angles = {nodes, block, starts.cosines.data(), starts.sines.data(), fine.cosines.data(), fine.sines.data()};
     }
 };
 
 void add_wave(const Wave& wave, const Grid& grid, Eigen::VectorXd& heights) {
-    const AlongWave along(wave.wave_number * grid.spacing(), wave.phase + wave.wave_number * grid.from,
-                          grid.nodes);
+    const AlongWave along(wave.wave_number * grid.spacing(), wave.phase + wave.wave_number * grid.from, grid.nodes);
     vector_loops().add_wave(along.angles, wave.offset, wave.amplitude, heights.data());
 }
 
@@ -71,13 +69,11 @@ Eigen::MatrixXd product(const Eigen::MatrixXd& rows, const Eigen::MatrixXd& colu
         const Index count = std::min(panel_width, rows.rows() - first);
         std::fill_n(panel.data(), panel_width * depth, 0.0);
         for (Index i = 0; i < depth; ++i)
-            for (Index r = 0; r < count; ++r)
-                panel[panel_width * i + r] = rows(first + r, i);
+            for (Index r = 0; r < count; ++r) panel[panel_width * i + r] = rows(first + r, i);
         for (Index column = 0; column < columns.cols(); column += panel_width) {
             vector_loops().multiply(panel.data(), depth, columns.col(column).data(), columns.rows(), square);
             for (Index c = 0; c < panel_width; ++c)
-                for (Index r = 0; r < count; ++r)
-                    result(first + r, column + c) = square[panel_width * c + r];
+                for (Index r = 0; r < count; ++r) result(first + r, column + c) = square[panel_width * c + r];
         }
     }
     return result;
@@ -116,8 +112,7 @@ Eigen::MatrixXd sampled_from(double offset, const std::vector<PlaneWave>& all, c
     }
     // cos(X + Y + phi) = cos(X + phi) cos Y - sin(X + phi) sin Y: two products of matrices
     Eigen::MatrixXd heights = Eigen::MatrixXd::Constant(grid.nodes, grid.rows, offset);
-    heights.noalias() -=
-        (x.cosines * c.asDiagonal() - x.sines * s.asDiagonal()).eval() * y.cosines.transpose();
+    heights.noalias() -= (x.cosines * c.asDiagonal() - x.sines * s.asDiagonal()).eval() * y.cosines.transpose();
     heights.noalias() += (x.sines * c.asDiagonal() + x.cosines * s.asDiagonal()).eval() * y.sines.transpose();
     return heights;
 }
@@ -158,22 +153,19 @@ void add_by_series(const Series& series, int n, const Values& height, const Valu
     by.col(3) += height * (series.H / series.lambda) - dk * (k / series.lambda);
 }
 
-Eigen::MatrixXd pulled_back_area(const Eigen::MatrixXd& height_gradient, const Genome& genome,
-                                 const Grid& grid) {
+Eigen::MatrixXd pulled_back_area(const Eigen::MatrixXd& height_gradient, const Genome& genome, const Grid& grid) {
     const auto all = plane_waves(genome, grid);
     const Axis x = x_axis(all, grid), y = y_axis(all, grid);
     const auto nodes_at = [](double first, double spacing, Index count) {
-        return Eigen::VectorXd::LinSpaced(count, first, first + spacing * static_cast<double>(count - 1))
-            .eval();
+        return Eigen::VectorXd::LinSpaced(count, first, first + spacing * static_cast<double>(count - 1)).eval();
     };
     const Eigen::VectorXd at_x = nodes_at(grid.first_x(), grid.spacing(), grid.nodes),
                           at_y = nodes_at(grid.first_y(), grid.row_spacing(), grid.rows);
-    Eigen::MatrixXd result =
-        Eigen::MatrixXd::Zero(height_gradient.rows(), static_cast<Index>(genes(genome).size()));
+    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(height_gradient.rows(), static_cast<Index>(genes(genome).size()));
     for (Index row = 0; row < height_gradient.rows(); ++row) {
         const Eigen::VectorXd functional = height_gradient.row(row);
-        const PlaneSums sums = plane_sums(
-            Eigen::Map<const Eigen::MatrixXd>(functional.data(), grid.nodes, grid.rows), x, y, at_x, at_y);
+        const PlaneSums sums =
+            plane_sums(Eigen::Map<const Eigen::MatrixXd>(functional.data(), grid.nodes, grid.rows), x, y, at_x, at_y);
         Index gene = 0;
         std::size_t w = 0;
         for (const Series& series : genome.series) {
@@ -187,11 +179,10 @@ Eigen::MatrixXd pulled_back_area(const Eigen::MatrixXd& height_gradient, const G
                     using Value = Eigen::Array<double, 1, 1>;
                     const Value height(-wave.amplitude * (sums.S[at] * turn).real());
                     const double norm = std::hypot(wave.k_x, wave.k_y);
-                    const Value dk(
-                        wave.fitted
-                            ? 0
-                            : wave.amplitude *
-                                  ((wave.k_x * sums.Tx[at] + wave.k_y * sums.Ty[at]) / norm * turn).imag());
+                    const Value dk(wave.fitted
+                                       ? 0
+                                       : wave.amplitude *
+                                             ((wave.k_x * sums.Tx[at] + wave.k_y * sums.Ty[at]) / norm * turn).imag());
                     add_by_series(series, chromosome.n, height, dk, of_series.array());
                     result(row, gene++) = wave.amplitude * (sums.S[at] * turn).imag();
                 }
@@ -213,14 +204,12 @@ std::vector<PlaneWave> plane_waves(const Genome& genome, const Grid& grid) {
             for (std::size_t m = 0; m < ridges; ++m) {
                 const double theta = std::numbers::pi * static_cast<double>(m) / static_cast<double>(ridges);
                 PlaneWave wave{G, k * std::cos(theta), k * std::sin(theta), chromosome.phases[m]};
-                if (2 * m == ridges)
-                    wave.k_x = 0;
+                if (2 * m == ridges) wave.k_x = 0;
                 if (grid.periodic) {
                     const double x = wave.k_x * grid.length / turn, y = wave.k_y * grid.width / turn;
                     double i = std::round(x), j = std::round(y);
                     if (i == 0 && j == 0) // the nearest other than zero, along one of the axes
-                        (std::abs(x) * grid.width >= std::abs(y)* grid.length ? i = std::copysign(1, x)
-                                                                              : j = 1);
+                        (std::abs(x) * grid.width >= std::abs(y)* grid.length ? i = std::copysign(1, x) : j = 1);
                     const double fit_x = turn * i / grid.length, fit_y = turn * j / grid.width;
                     wave.moved = std::hypot(fit_x - wave.k_x, fit_y - wave.k_y) / k;
                     wave.fitted = true;
@@ -234,11 +223,9 @@ std::vector<PlaneWave> plane_waves(const Genome& genome, const Grid& grid) {
 }
 
 Eigen::VectorXd sampled(const std::vector<PlaneWave>& waves, const Grid& grid) {
-    if (grid.is_2d())
-        return sampled_from(0, waves, grid).reshaped();
+    if (grid.is_2d()) return sampled_from(0, waves, grid).reshaped();
     Eigen::VectorXd heights = Eigen::VectorXd::Zero(grid.nodes);
-    for (const PlaneWave& wave : waves)
-        add_wave({wave.amplitude, wave.k_x, wave.phase, 0}, grid, heights);
+    for (const PlaneWave& wave : waves) add_wave({wave.amplitude, wave.k_x, wave.phase, 0}, grid, heights);
     return heights;
 }
 
@@ -246,8 +233,7 @@ Profile sample(const Genome& genome, const Grid& grid) {
     if (grid.is_2d()) {
         const auto all = plane_waves(genome, grid);
         double offset = 0;
-        for (const PlaneWave& wave : all)
-            offset += wave.amplitude * std::cos(wave.phase);
+        for (const PlaneWave& wave : all) offset += wave.amplitude * std::cos(wave.phase);
         return {sampled_from(offset, all, grid).reshaped(), grid.spacing(), grid.rows, grid.row_spacing()};
     }
     Profile profile{Eigen::VectorXd::Zero(grid.nodes), grid.spacing()};
@@ -263,8 +249,7 @@ double jump_at_ends(const Genome& genome, double length) {
 
 bool is_flat(const Profile& sampled, const Genome& genome) {
     double amplitudes = 0;
-    for (const Wave& wave : waves(genome))
-        amplitudes += std::abs(wave.amplitude);
+    for (const Wave& wave : waves(genome)) amplitudes += std::abs(wave.amplitude);
     return !(sampled.heights.maxCoeff() - sampled.heights.minCoeff() > 1e-12 * amplitudes);
 }
 
@@ -274,8 +259,7 @@ Eigen::MatrixXd wave_basis(const Genome& genome, const Grid& grid) {
 }
 
 Eigen::MatrixXd pulled_back(const Eigen::MatrixXd& height_gradient, const Genome& genome, const Grid& grid) {
-    if (grid.is_2d())
-        return pulled_back_area(height_gradient, genome, grid);
+    if (grid.is_2d()) return pulled_back_area(height_gradient, genome, grid);
     // For the functional g, with S = sum_i g_i exp(i k x_i) and T = sum_i g_i x_i exp(i k x_i):
     //   cosine part  sum_i g_i cos(k x_i + theta) = Re(S e^{i theta}),  d/d phi_m = Im(S e^{i phi_m}) G,
     //   d/dk = G R Im(T e^{i theta}).

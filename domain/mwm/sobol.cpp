@@ -14,10 +14,8 @@ namespace {
 std::vector<std::vector<double>> sobol_points(int dimension, int count) {
     boost::random::sobol engine(static_cast<std::size_t>(dimension));
     boost::random::uniform_01<double> uniform;
-    std::vector points(static_cast<std::size_t>(count) + 1,
-                       std::vector<double>(static_cast<std::size_t>(dimension)));
-    for (std::vector<double>& point : points)
-        std::ranges::generate(point, [&] { return uniform(engine); });
+    std::vector points(static_cast<std::size_t>(count) + 1, std::vector<double>(static_cast<std::size_t>(dimension)));
+    for (std::vector<double>& point : points) std::ranges::generate(point, [&] { return uniform(engine); });
     points.erase(points.begin());
     return points;
 }
@@ -35,8 +33,7 @@ std::vector<std::pair<double, double>> sobol_pairs(const DatabaseLayout& layout)
 std::vector<std::vector<double>> sobol_phases(int columns, int last) {
     auto phases = sobol_points(columns, last);
     for (auto& row : phases)
-        for (double& value : row)
-            value *= 2 * std::numbers::pi;
+        for (double& value : row) value *= 2 * std::numbers::pi;
     return phases;
 }
 

@@ -29,8 +29,7 @@ Genome random_genome(const Uniform& uniform, int series, std::size_t ridges, dou
                    {}};
         for (int n = 1; n <= last_chromosome(length, one.gamma, shortest); ++n) {
             one.chromosomes.push_back({n, std::vector<double>(ridges)});
-            for (double& phase : one.chromosomes.back().phases)
-                phase = uniform(0, full_turn);
+            for (double& phase : one.chromosomes.back().phases) phase = uniform(0, full_turn);
         }
         genome.series.push_back(one);
     }
@@ -58,24 +57,20 @@ std::vector<Wave> brownian_waves(double length, double amplitude, double hurst, 
 
 double height_at(const std::vector<Wave>& waves, double x) {
     double height = 0;
-    for (const Wave& wave : waves)
-        height -= wave.amplitude * std::cos(wave.wave_number * x + wave.phase);
+    for (const Wave& wave : waves) height -= wave.amplitude * std::cos(wave.wave_number * x + wave.phase);
     return height;
 }
 
 Profile sampled(const Grid& grid, const std::function<double(double)>& height) {
     Profile profile{Eigen::VectorXd(grid.nodes), grid.spacing()};
-    for (Index i = 0; i < grid.nodes; ++i)
-        profile.heights[i] = height(static_cast<double>(i) * profile.spacing);
+    for (Index i = 0; i < grid.nodes; ++i) profile.heights[i] = height(static_cast<double>(i) * profile.spacing);
     return profile;
 }
 
 Profile fractal_profile(const Grid& grid, double hurst, double rms, std::uint64_t seed) {
-    if (!(hurst > 0 && hurst < 1))
-        refuse("hurst: ", hurst, " is out of range (above 0, below 1)");
+    if (!(hurst > 0 && hurst < 1)) refuse("hurst: ", hurst, " is out of range (above 0, below 1)");
     if (!(rms > 0) || grid.nodes < 4)
-        refuse("fractal profile: rms height ", rms, " on ", grid.nodes,
-               " nodes; use one above 0 on 4 or more");
+        refuse("fractal profile: rms height ", rms, " on ", grid.nodes, " nodes; use one above 0 on 4 or more");
     ga::Stream random(ga::fold(seed, "fractal"));
     Eigen::ArrayXcd spectrum = Eigen::ArrayXcd::Zero(2 * grid.nodes + 1);
     for (Index bin = 1; bin < spectrum.size(); ++bin) {

@@ -57,11 +57,9 @@ double shortest_wave(const Genome& genome) {
 
 int last_chromosome(double lambda, double gamma, double shortest) {
     if (!(shortest > 0 && gamma > 1))
-        refuse("shortest wave ", shortest, " mm, gamma ", gamma,
-               "; use a length above 0 and a gamma above 1");
+        refuse("shortest wave ", shortest, " mm, gamma ", gamma, "; use a length above 0 and a gamma above 1");
     int n = 0; // counted, as a floor of log_gamma loses the last chromosome of an exact power
-    while (lambda * std::pow(gamma, -n) >= shortest * (1 - 1e-12))
-        ++n;
+    while (lambda * std::pow(gamma, -n) >= shortest * (1 - 1e-12)) ++n;
     return n;
 }
 
@@ -70,26 +68,22 @@ std::vector<LengthScale> length_scales(const Genome& genome) {
     for (std::size_t s = 0; s < genome.series.size(); ++s)
         for (std::size_t c = 0; c < genome.series[s].chromosomes.size(); ++c) {
             const double k = wave_number(genome.series[s], genome.series[s].chromosomes[c].n);
-            auto known = std::ranges::find_if(scales, [&](const LengthScale& scale) {
-                return std::abs(scale.wave_number - k) <= 1e-12 * k;
-            });
-            if (known == scales.end())
-                known = scales.insert(scales.end(), LengthScale{k, {}});
+            auto known = std::ranges::find_if(
+                scales, [&](const LengthScale& scale) { return std::abs(scale.wave_number - k) <= 1e-12 * k; });
+            if (known == scales.end()) known = scales.insert(scales.end(), LengthScale{k, {}});
             known->members.emplace_back(s, c);
         }
     return scales;
 }
 
 Genome only(const Genome& genome, const LengthScale& scale) {
-    return filtered(genome, [&](std::size_t s, std::size_t c) {
-        return std::ranges::count(scale.members, std::pair(s, c)) > 0;
-    });
+    return filtered(
+        genome, [&](std::size_t s, std::size_t c) { return std::ranges::count(scale.members, std::pair(s, c)) > 0; });
 }
 
 std::vector<SpectralLine> discrete_spectrum(const Genome& genome) {
     std::vector<Wave> all = waves(genome);
-    std::sort(all.begin(), all.end(),
-              [](const Wave& a, const Wave& b) { return a.wave_number < b.wave_number; });
+    std::sort(all.begin(), all.end(), [](const Wave& a, const Wave& b) { return a.wave_number < b.wave_number; });
     std::vector<SpectralLine> lines;
     for (auto wave = all.begin(); wave != all.end();) {
         const double k = wave->wave_number;

@@ -48,10 +48,8 @@ Genome filtered(const Genome& genome, Keep keep) {
         Series series = genome.series[s];
         series.chromosomes.clear();
         for (std::size_t c = 0; c < genome.series[s].chromosomes.size(); ++c)
-            if (keep(s, c))
-                series.chromosomes.push_back(genome.series[s].chromosomes[c]);
-        if (!series.chromosomes.empty())
-            result.series.push_back(series);
+            if (keep(s, c)) series.chromosomes.push_back(genome.series[s].chromosomes[c]);
+        if (!series.chromosomes.empty()) result.series.push_back(series);
     }
     return result;
 }

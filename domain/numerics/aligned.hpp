@@ -29,8 +29,7 @@ class AlignedBuffer {
         constexpr std::size_t line = 64;
         const std::size_t bytes = (sizeof(T) * static_cast<std::size_t>(size) + line - 1) / line * line;
         void* memory = std::aligned_alloc(line, bytes);
-        if (!memory)
-            throw std::bad_alloc();
+        if (!memory) throw std::bad_alloc();
         return static_cast<T*>(memory);
     }
     std::unique_ptr<T, Free> data_;

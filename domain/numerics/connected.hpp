@@ -13,16 +13,12 @@ namespace rough {
 /// `periodic`, opposite ends of the grid are neighbours.
 template <class Visit>
 void each_neighbour(Index node, Extent shape, bool periodic, Visit visit) {
-    const auto beside = [&](Index at, Index count) {
-        return periodic ? (at + count) % count : at < count ? at : -1;
-    };
+    const auto beside = [&](Index at, Index count) { return periodic ? (at + count) % count : at < count ? at : -1; };
     const Index i = node % shape.columns, j = node / shape.columns;
     for (const Index by : {-1, 1})
-        if (const Index column = beside(i + by, shape.columns); column >= 0)
-            visit(j * shape.columns + column);
+        if (const Index column = beside(i + by, shape.columns); column >= 0) visit(j * shape.columns + column);
     for (const Index by : {-1, 1})
-        if (const Index row = beside(j + by, shape.rows); row >= 0 && shape.rows > 1)
-            visit(row * shape.columns + i);
+        if (const Index row = beside(j + by, shape.rows); row >= 0 && shape.rows > 1) visit(row * shape.columns + i);
 }
 
 /// The sizes of groups of nodes, in nodes, the largest first. The nodes of a group are connected along x or y;
@@ -31,20 +27,16 @@ void each_neighbour(Index node, Extent shape, bool periodic, Visit visit) {
 template <class Nodes>
 std::vector<Index> group_sizes(const Nodes& nodes, Extent shape, bool periodic) {
     std::vector<char> waiting(static_cast<std::size_t>(shape.nodes()), 0);
-    for (const auto node : nodes)
-        waiting[static_cast<std::size_t>(node)] = 1;
+    for (const auto node : nodes) waiting[static_cast<std::size_t>(node)] = 1;
     std::vector<Index> sizes, reached;
     const auto reach = [&](Index node) {
-        if (std::exchange(waiting[static_cast<std::size_t>(node)], 0))
-            reached.push_back(node);
+        if (std::exchange(waiting[static_cast<std::size_t>(node)], 0)) reached.push_back(node);
     };
     for (const auto first : nodes) {
         reached.clear();
         reach(first);
-        for (std::size_t k = 0; k < reached.size(); ++k)
-            each_neighbour(reached[k], shape, periodic, reach);
-        if (!reached.empty())
-            sizes.push_back(static_cast<Index>(reached.size()));
+        for (std::size_t k = 0; k < reached.size(); ++k) each_neighbour(reached[k], shape, periodic, reach);
+        if (!reached.empty()) sizes.push_back(static_cast<Index>(reached.size()));
     }
     std::sort(sizes.begin(), sizes.end(), std::greater<>());
     return sizes;

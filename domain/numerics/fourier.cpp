@@ -55,8 +55,7 @@ struct RowPlans {
 /// Numbers by eigenvalues.
 template <typename Real>
 void multiply(std::complex<Real>* numbers, const Real* eigenvalues, Index count) {
-    for (Index k = 0; k < count; ++k)
-        numbers[k] *= eigenvalues[k];
+    for (Index k = 0; k < count; ++k) numbers[k] *= eigenvalues[k];
 }
 
 /// Multiplies by eigenvalues that are given for k = 0..n/2. That of a larger k is that of n - k, or of n-1-k
@@ -64,8 +63,7 @@ void multiply(std::complex<Real>* numbers, const Real* eigenvalues, Index count)
 template <typename Real>
 void multiply_mirrored(std::complex<Real>* numbers, const Real* eigenvalues, Index n, bool skew = false) {
     multiply(numbers, eigenvalues, n / 2 + 1);
-    for (Index k = n / 2 + 1; k < n; ++k)
-        numbers[k] *= eigenvalues[n - skew - k];
+    for (Index k = n / 2 + 1; k < n; ++k) numbers[k] *= eigenvalues[n - skew - k];
 }
 
 /// Takes columns to `scratch` and back, some at a time; padded with zeros to `padded` rows, and a whole block
@@ -78,8 +76,7 @@ void each_column(std::complex<Real>* numbers, Extent shape, Index padded, Worksp
         std::complex<Real>* corner = numbers + first;
         for (Index j = 0; j < shape.rows; ++j) {
             __builtin_prefetch(corner + std::min(j + ahead, shape.rows - 1) * row);
-            for (Index c = 0; c < count; ++c)
-                columns[c * stride + j] = corner[j * row + c];
+            for (Index c = 0; c < count; ++c) columns[c * stride + j] = corner[j * row + c];
         }
         for (Index c = 0; c < block; ++c)
             std::fill(columns + c * stride + (c < count ? shape.rows : 0), columns + c * stride + padded,
@@ -87,8 +84,7 @@ void each_column(std::complex<Real>* numbers, Extent shape, Index padded, Worksp
         turn(columns, first, count, stride);
         for (Index j = 0; j < shape.rows; ++j) {
             __builtin_prefetch(corner + std::min(j + ahead, shape.rows - 1) * row);
-            for (Index c = 0; c < count; ++c)
-                corner[j * row + c] = columns[c * stride + j];
+            for (Index c = 0; c < count; ++c) corner[j * row + c] = columns[c * stride + j];
         }
     });
 }
@@ -99,8 +95,7 @@ bool is_circulant(const Eigen::VectorXd& first_column, Extent shape) {
     };
     for (Index j = 0; j < shape.rows; ++j)
         for (Index i = 0; i < shape.columns; ++i)
-            if (entry(i, j) != entry(shape.columns - i, j) || entry(i, j) != entry(i, shape.rows - j))
-                return false;
+            if (entry(i, j) != entry(shape.columns - i, j) || entry(i, j) != entry(i, shape.rows - j)) return false;
     return true;
 }
 
@@ -117,8 +112,7 @@ Eigen::ArrayXXcd fourier_transform(const Eigen::ArrayXXd& numbers) {
     AlignedBuffer<double> real(shape.nodes());
     AlignedBuffer<std::complex<double>> transform(half.nodes());
     std::copy_n(numbers.data(), shape.nodes(), real.data());
-    FftLibrary<double>::execute(plans<double>(true, shape, 1, half.nodes()).forward, real.data(),
-                                transform.data());
+    FftLibrary<double>::execute(plans<double>(true, shape, 1, half.nodes()).forward, real.data(), transform.data());
     return Eigen::ArrayXXcd::Map(transform.data(), half.columns, half.rows);
 }
 
@@ -127,8 +121,7 @@ Eigen::ArrayXXd inverse_fourier_transform(const Eigen::ArrayXXcd& half, Index co
     AlignedBuffer<double> real(shape.nodes());
     AlignedBuffer<std::complex<double>> transform(half.size());
     std::copy_n(half.data(), half.size(), transform.data());
-    FftLibrary<double>::execute(plans<double>(true, shape, 1, half.size()).backward, transform.data(),
-                                real.data());
+    FftLibrary<double>::execute(plans<double>(true, shape, 1, half.size()).backward, transform.data(), real.data());
     return Eigen::ArrayXXd::Map(real.data(), shape.columns, shape.rows);
 }
 
@@ -136,27 +129,23 @@ Eigen::ArrayXXcd inverse_complex_transform(const Eigen::ArrayXXcd& transform) {
     AlignedBuffer<std::complex<double>> work(transform.size());
     std::copy_n(transform.data(), transform.size(), work.data());
     const Extent shape{transform.rows(), transform.cols()};
-    FftLibrary<double>::execute(plans<double>(false, shape, 1, shape.nodes()).backward, work.data(),
-                                work.data());
+    FftLibrary<double>::execute(plans<double>(false, shape, 1, shape.nodes()).backward, work.data(), work.data());
     return Eigen::ArrayXXcd::Map(work.data(), transform.rows(), transform.cols());
 }
 
 bool is_good_fourier_length(Index length) {
     for (const Index factor : {2, 3, 5, 7, 11, 13})
-        while (length % factor == 0)
-            length /= factor;
+        while (length % factor == 0) length /= factor;
     return length == 1;
 }
 
 Index fast_fourier_length(Index length) {
     Index best = 2;
-    while (best < length)
-        best *= 2;
+    while (best < length) best *= 2;
     for (Index five = 1; five < best; five *= 5)
         for (Index three = five; three < best; three *= 3) {
             Index candidate = 2 * three;
-            while (candidate < length)
-                candidate *= 2;
+            while (candidate < length) candidate *= 2;
             best = std::min(best, candidate);
         }
     return best;
@@ -176,12 +165,10 @@ static AlignedBuffer<double> even_spectrum(Extent shape, Team& team, Entry entry
             .each_range(lines, block, [&](Index first, Index count, std::complex<double>* out) {
                 double* in = reinterpret_cast<double*>(out + block * half);
                 for (Index c = 0; c < count; ++c)
-                    for (Index k = 0; k < n; ++k)
-                        in[c * n + k] = number(first + c, k);
+                    for (Index k = 0; k < n; ++k) in[c * n + k] = number(first + c, k);
                 FftLibrary<double>::execute(row_plans.of(count).forward, in, out);
                 for (Index c = 0; c < count; ++c)
-                    for (Index k = 0; k < half; ++k)
-                        put(first + c, k, out[c * half + k].real());
+                    for (Index k = 0; k < half; ++k) put(first + c, k, out[c * half + k].real());
             });
     };
     AlignedBuffer<double> spectrum(columns * rows);
@@ -190,37 +177,34 @@ static AlignedBuffer<double> even_spectrum(Extent shape, Team& team, Entry entry
         [&](Index j, Index k, double value) { spectrum[k * rows + j] = value; });
     if (rows > 1)
         transform(
-            columns, shape.rows,
-            [&](Index k, Index j) { return spectrum[k * rows + mirrored(j, shape.rows)]; },
+            columns, shape.rows, [&](Index k, Index j) { return spectrum[k * rows + mirrored(j, shape.rows)]; },
             [&](Index k, Index l, double value) { spectrum[k * rows + l] = value; });
     return spectrum;
 }
 
 template <typename Real>
 BasicFourierOperator<Real>::BasicFourierOperator(Extent shape, Extent padded, Team& team)
-    : team_(&team), shape_(shape), padded_(padded), half_(padded.columns / 2 + 1),
-      lines_(padded.rows / 2 + 1), spectrum_(half_ * lines_),
+    : team_(&team), shape_(shape), padded_(padded), half_(padded.columns / 2 + 1), lines_(padded.rows / 2 + 1),
+      spectrum_(half_ * lines_),
       work_(shape.rows == 1 ? 0 : block * std::max(column_stride(padded.rows), half_), team) {}
 
 template <typename Real>
-BasicFourierOperator<Real> BasicFourierOperator<Real>::toeplitz(const Eigen::VectorXd& first_column,
-                                                                Extent shape, Team& team) {
+BasicFourierOperator<Real> BasicFourierOperator<Real>::toeplitz(const Eigen::VectorXd& first_column, Extent shape,
+                                                                Team& team) {
     const auto padded = [](Index n) { return fast_fourier_length(std::max<Index>(2 * n - 1, 2)); };
     BasicFourierOperator op(shape, {padded(shape.columns), shape.rows == 1 ? 1 : padded(shape.rows)}, team);
-    if (is_circulant(first_column, shape))
-        op.of_mean_ = first_column.sum();
+    if (is_circulant(first_column, shape)) op.of_mean_ = first_column.sum();
     AlignedBuffer<double> spectrum = even_spectrum(op.padded_, team, [&](Index i, Index j) {
         return i < shape.columns && j < shape.rows ? first_column[j * shape.columns + i] : 0;
     });
     const double scale = static_cast<double>(op.padded_.nodes());
-    for (Index k = 0; k < op.half_ * op.lines_; ++k)
-        op.spectrum_[k] = static_cast<Real>(spectrum[k] / scale);
+    for (Index k = 0; k < op.half_ * op.lines_; ++k) op.spectrum_[k] = static_cast<Real>(spectrum[k] / scale);
     return op;
 }
 
 template <typename Real>
-BasicFourierOperator<Real>
-BasicFourierOperator<Real>::circulant(Extent shape, const Eigen::VectorXd& eigenvalues, Team& team) {
+BasicFourierOperator<Real> BasicFourierOperator<Real>::circulant(Extent shape, const Eigen::VectorXd& eigenvalues,
+                                                                 Team& team) {
     BasicFourierOperator op(shape, shape, team);
     for (Index j = 0; j < op.lines_; ++j)
         for (Index k = 0; k < op.half_; ++k)
@@ -247,10 +231,8 @@ void BasicFourierOperator<Real>::apply(const Real* from, Real* to) {
     };
     each_rows([&](Index node, Real* row, Index count, const PlanPair<Real>& plan, auto* wave) {
         for (Index c = 0; c < count; ++c) {
-            if (from != row)
-                std::copy_n(from + node + c * n, n, row + c * longer);
-            if (of_mean_)
-                Row(row + c * longer, n) -= mean;
+            if (from != row) std::copy_n(from + node + c * n, n, row + c * longer);
+            if (of_mean_) Row(row + c * longer, n) -= mean;
             std::fill(row + c * longer + n, row + (c + 1) * longer, Real(0));
         }
         FftLibrary<Real>::execute(plan.forward, row, wave);
@@ -271,10 +253,8 @@ void BasicFourierOperator<Real>::apply(const Real* from, Real* to) {
     each_rows([&](Index node, Real* row, Index count, const PlanPair<Real>& plan, auto* wave) {
         FftLibrary<Real>::execute(plan.backward, wave, row);
         for (Index c = 0; c < count; ++c) {
-            if (of_mean_)
-                Row(row + c * longer, n) += mean * static_cast<Real>(*of_mean_);
-            if (to != row)
-                std::copy_n(row + c * longer, n, to + node + c * n);
+            if (of_mean_) Row(row + c * longer, n) += mean * static_cast<Real>(*of_mean_);
+            if (to != row) std::copy_n(row + c * longer, n, to + node + c * n);
         }
     });
 }
@@ -282,8 +262,7 @@ void BasicFourierOperator<Real>::apply(const Real* from, Real* to) {
 template <typename Real>
 const Real* BasicFourierOperator<Real>::apply(const std::vector<int>& nodes, const Eigen::VectorXd& p) {
     std::fill_n(input(), this->nodes(), Real(0));
-    for (std::size_t k = 0; k < nodes.size(); ++k)
-        input()[nodes[k]] = static_cast<Real>(p[static_cast<Index>(k)]);
+    for (std::size_t k = 0; k < nodes.size(); ++k) input()[nodes[k]] = static_cast<Real>(p[static_cast<Index>(k)]);
     return apply();
 }
 
@@ -292,9 +271,9 @@ template class BasicFourierOperator<float>;
 
 SplitOperator::SplitOperator(const Eigen::VectorXd& first_column, Extent shape, Team& team)
     : shape_(shape), is_circulant_(is_circulant(first_column, shape)),
-      whole_(is_circulant_ ? shape
-                           : Extent{fast_fourier_length(shape.columns),
-                                    shape.rows == 1 ? 1 : fast_fourier_length(shape.rows)}),
+      whole_(is_circulant_
+                 ? shape
+                 : Extent{fast_fourier_length(shape.columns), shape.rows == 1 ? 1 : fast_fourier_length(shape.rows)}),
       wave_(shared_memory<std::complex<double>>(row_stride(whole_.columns / 2 + 1) * whole_.rows)),
       work_(block * std::max(2 * column_stride(whole_.rows), whole_.columns / 2 + 1), team),
       twist_x_(twists(whole_.columns / 2, whole_.columns)), twist_y_(twists(whole_.rows, whole_.rows)) {
@@ -310,14 +289,12 @@ SplitOperator::SplitOperator(const Eigen::VectorXd& first_column, Extent shape, 
     };
     for (const bool skew_x : {false, true})
         for (const bool skew_y : {false, true}) {
-            if (((skew_x || skew_y) && is_circulant_) || (skew_y && line))
-                continue;
+            if (((skew_x || skew_y) && is_circulant_) || (skew_y && line)) continue;
             forward(skew_x, whole_.rows, [&](Index j, double* row) {
                 Eigen::Map<Eigen::ArrayXd> all(row, n);
                 all.setZero();
                 add_row(j, 1, row);
-                if (!line)
-                    add_row(whole_.rows - j, skew_y ? -1 : 1, row);
+                if (!line) add_row(whole_.rows - j, skew_y ? -1 : 1, row);
                 const double sign = skew_x ? -1 : 1, first = row[0];
                 row[0] += sign * first;
                 for (Index i = 1; 2 * i <= n; ++i) {
@@ -337,13 +314,11 @@ SplitOperator::SplitOperator(const Eigen::VectorXd& first_column, Extent shape, 
                             [&](std::complex<double>* columns, Index first, Index count, Index stride) {
                                 if (skew_y)
                                     for (Index c = 0; c < count; ++c)
-                                        Eigen::Map<Eigen::ArrayXcd>(columns + c * stride, whole_.rows) *=
-                                            twist_y_;
+                                        Eigen::Map<Eigen::ArrayXcd>(columns + c * stride, whole_.rows) *= twist_y_;
                                 FftLibrary<double>::execute(plan.forward, columns, columns);
                                 for (Index c = 0; c < count; ++c)
                                     for (Index l = 0; l < lines; ++l)
-                                        eigenvalues[(first + c) * lines + l] =
-                                            columns[c * stride + l].real() / parts;
+                                        eigenvalues[(first + c) * lines + l] = columns[c * stride + l].real() / parts;
                             });
         }
 }
@@ -397,8 +372,7 @@ Eigen::VectorXd SplitOperator::apply(const Eigen::VectorXd& p) {
                                 Index count, Index stride, bool skew) {
         FftLibrary<double>::execute(plan.forward, columns, columns);
         for (Index c = 0; c < count; ++c)
-            multiply_mirrored(columns + c * stride, eigenvalues.data() + (first + c) * (rows / 2 + 1), rows,
-                              skew);
+            multiply_mirrored(columns + c * stride, eigenvalues.data() + (first + c) * (rows / 2 + 1), rows, skew);
         FftLibrary<double>::execute(plan.backward, columns, columns);
     };
     wave_ = shared_memory<std::complex<double>>(row_stride(whole_.columns / 2 + 1) * shape_.rows);
@@ -406,8 +380,7 @@ Eigen::VectorXd SplitOperator::apply(const Eigen::VectorXd& p) {
     for (const bool skew_x : {false, true}) {
         const auto& even = eigenvalues_[skew_x][0]; // no structured binding: clang 14 cannot capture it
         const auto& skew = eigenvalues_[skew_x][1];
-        if (even.size() == 0)
-            continue;
+        if (even.size() == 0) continue;
         forward(skew_x, shape_.rows, [&](Index j, double* row) {
             std::copy_n(p.data() + j * n, n, row);
             std::fill(row + n, row + whole_.columns, 0.0);
@@ -424,11 +397,9 @@ Eigen::VectorXd SplitOperator::apply(const Eigen::VectorXd& p) {
                                     job(Eigen::Map<Eigen::ArrayXcd>(block_of + c * stride, rows),
                                         Eigen::Map<Eigen::ArrayXcd>(twisted + c * stride, rows));
                             };
-                            if (skew.size() > 0)
-                                turn([&](auto column, auto other) { other = column * twist_y_; });
+                            if (skew.size() > 0) turn([&](auto column, auto other) { other = column * twist_y_; });
                             multiplied(block_of, even, first, count, stride, false);
-                            if (skew.size() == 0)
-                                return;
+                            if (skew.size() == 0) return;
                             multiplied(twisted, skew, first, count, stride, true);
                             turn([&](auto column, auto other) { column += other * twist_y_.conjugate(); });
                         });

@@ -27,16 +27,12 @@ template <typename Real>
 class Workspace {
   public:
     /// `size` complex numbers for each thread.
-    Workspace(Index size, Team& team)
-        : team_(&team), size_((size + 7) / 8 * 8), numbers_(team.size() * size_) {}
+    Workspace(Index size, Team& team) : team_(&team), size_((size + 7) / 8 * 8), numbers_(team.size() * size_) {}
     /// Runs job(first, count, memory) for ranges of `length` of n rows or columns.
     template <class Job>
     void each_range(Index n, Index length, const Job& job) {
         team_->each_range(
-            n,
-            [&](Index first, Index count, int worker) {
-                job(first, count, numbers_.data() + worker * size_);
-            },
+            n, [&](Index first, Index count, int worker) { job(first, count, numbers_.data() + worker * size_); },
             length);
     }
 
@@ -54,11 +50,9 @@ class BasicFourierOperator {
   public:
     /// N x N symmetric Toeplitz from its first column of N entries. If it is circulant, equal numbers have an
     /// eigenvalue. The mean of p is multiplied by it, because transforms lose small differences from a mean.
-    static BasicFourierOperator toeplitz(const Eigen::VectorXd& first_column, Extent shape,
-                                         Team& team = Team::alone());
+    static BasicFourierOperator toeplitz(const Eigen::VectorXd& first_column, Extent shape, Team& team = Team::alone());
     /// N x N symmetric circulant from its eigenvalues: N_y rows of S_k, k = 0..N_x/2.
-    static BasicFourierOperator circulant(Extent shape, const Eigen::VectorXd& eigenvalues,
-                                          Team& team = Team::alone());
+    static BasicFourierOperator circulant(Extent shape, const Eigen::VectorXd& eigenvalues, Team& team = Team::alone());
 
     /// A copy of an operator of another precision.
     template <typename Other>
@@ -71,8 +65,7 @@ class BasicFourierOperator {
     Index nodes() const { return shape_.nodes(); } ///< N
     /// Write p (N entries) here, then call apply(). The first call allocates the memory.
     Real* input() {
-        if (!real_)
-            real_.emplace(shape_.rows == 1 ? padded_.columns : shape_.nodes());
+        if (!real_) real_.emplace(shape_.rows == 1 ? padded_.columns : shape_.nodes());
         return real_->data();
     }
     /// Returns u (N entries), valid until the next write to input().
@@ -93,8 +86,8 @@ class BasicFourierOperator {
     BasicFourierOperator(Extent shape, Extent padded, Team& team);
     Team* team_;
     Extent shape_, padded_;
-    std::optional<double> of_mean_; ///< eigenvalue of equal numbers
-    Index half_, lines_;            ///< numbers of a half-complex row; unmirrored eigenvalues per column
+    std::optional<double> of_mean_;           ///< eigenvalue of equal numbers
+    Index half_, lines_;                      ///< numbers of a half-complex row; unmirrored eigenvalues per column
     std::optional<AlignedBuffer<Real>> real_; ///< input and output, if input() was called
     AlignedBuffer<Real> spectrum_;            ///< eigenvalues column after column
     Workspace<Real> work_;

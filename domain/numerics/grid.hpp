@@ -37,8 +37,8 @@ struct Grid {
     double spacing() const { return length / static_cast<double>(is_2d() || periodic ? nodes : nodes - 1); }
     /// Node spacing delta_y along y, mm: L_y/N_y; 0 for a line.
     double row_spacing() const { return width / static_cast<double>(rows); }
-    double first_x() const { return from + (has_cells() ? spacing() / 2 : 0); } ///< x of the first node, mm
-    double first_y() const { return from_y + (has_cells() ? row_spacing() / 2 : 0); }      ///< y of the first row, mm
+    double first_x() const { return from + (has_cells() ? spacing() / 2 : 0); }       ///< x of the first node, mm
+    double first_y() const { return from_y + (has_cells() ? row_spacing() / 2 : 0); } ///< y of the first row, mm
     /// Area of the patches of all nodes, mm^2; 0 for a line.
     double nominal_area() const {
         return spacing() * row_spacing() * static_cast<double>(nodes) * static_cast<double>(rows);
@@ -50,8 +50,7 @@ struct Grid {
 /// The grid with `refine` elements for each one of this grid, along x and y. The cells of a map are split.
 inline Grid refined(Grid grid, Index refine) {
     grid.nodes = grid.is_2d() || grid.periodic ? grid.nodes * refine : (grid.nodes - 1) * refine + 1;
-    if (grid.is_2d())
-        grid.rows *= refine;
+    if (grid.is_2d()) grid.rows *= refine;
     return grid;
 }
 

@@ -34,8 +34,7 @@ double two_sided(const std::vector<double>& counts, std::size_t seen) {
 
 /// Both tails of a normal distribution, half a step nearer to its mean.
 double two_sided_normal(double seen, double mean, double variance) {
-    if (!(variance > 0))
-        return 1;
+    if (!(variance > 0)) return 1;
     const double away = std::max(0.0, std::abs(seen - mean) - 0.5);
     return std::erfc(away / std::sqrt(2 * variance));
 }
@@ -55,8 +54,7 @@ double pearson(const Eigen::ArrayXd& a, const Eigen::ArrayXd& b) {
 
 double quantile(std::vector<double> values, double share) {
     values = known(std::move(values));
-    if (values.empty())
-        return none;
+    if (values.empty()) return none;
     std::sort(values.begin(), values.end());
     const double place = share * static_cast<double>(values.size() - 1);
     const auto below = static_cast<std::size_t>(place);
@@ -68,8 +66,7 @@ double median(std::vector<double> values) { return quantile(std::move(values), 0
 
 double mean(const std::vector<double>& values) {
     const std::vector<double> all = known(values);
-    return all.empty() ? none
-                       : std::accumulate(all.begin(), all.end(), 0.0) / static_cast<double>(all.size());
+    return all.empty() ? none : std::accumulate(all.begin(), all.end(), 0.0) / static_cast<double>(all.size());
 }
 
 double share_up_to(const std::vector<double>& values, double limit) {
@@ -78,16 +75,14 @@ double share_up_to(const std::vector<double>& values, double limit) {
 }
 
 Interval median_interval(std::vector<double> values, double confidence) {
-    std::sort(values.begin(), values.end(),
-              [](double a, double b) { return std::isnan(b) ? !std::isnan(a) : a < b; });
+    std::sort(values.begin(), values.end(), [](double a, double b) { return std::isnan(b) ? !std::isnan(a) : a < b; });
     // The k-th from either end miss the median where fewer than k of n fair coins fall on that side.
     const std::size_t n = values.size();
     double fewer = std::ldexp(1.0, -static_cast<int>(n)), term = fewer;
     std::size_t k = 0;
     while (k + 1 < (n + 1) / 2) {
         const double next = term * static_cast<double>(n - k) / static_cast<double>(k + 1);
-        if (1 - 2 * (fewer + next) < confidence)
-            break;
+        if (1 - 2 * (fewer + next) < confidence) break;
         term = next;
         fewer += term;
         ++k;
@@ -95,23 +90,20 @@ Interval median_interval(std::vector<double> values, double confidence) {
     return {values[k], values[n - 1 - k], 1 - 2 * fewer};
 }
 
-Interval bootstrap_interval(std::size_t n,
-                            const std::function<double(const std::vector<std::size_t>&)>& statistic,
+Interval bootstrap_interval(std::size_t n, const std::function<double(const std::vector<std::size_t>&)>& statistic,
                             std::size_t draws, double confidence, std::uint64_t seed) {
     std::vector<double> found;
     std::vector<std::size_t> picks(n);
     for (std::size_t draw = 0; draw < draws; ++draw) {
         ga::Stream stream(ga::fold(seed, draw));
-        for (std::size_t& pick : picks)
-            pick = stream.below(n);
+        for (std::size_t& pick : picks) pick = stream.below(n);
         found.push_back(statistic(picks));
     }
     return {quantile(found, (1 - confidence) / 2), quantile(found, (1 + confidence) / 2), confidence};
 }
 
 double slope(const Eigen::VectorXd& x, const Eigen::VectorXd& y) {
-    if (x.size() < 2)
-        return none;
+    if (x.size() < 2) return none;
     const Eigen::ArrayXd dx = x.array() - x.mean();
     return (dx * (y.array() - y.mean())).sum() / dx.square().sum();
 }
@@ -128,10 +120,8 @@ std::vector<double> ranks(const std::vector<double>& values) {
     std::vector<double> result(values.size());
     for (std::size_t i = 0; i < order.size();) {
         std::size_t end = i;
-        while (end < order.size() && values[order[end]] == values[order[i]])
-            ++end;
-        for (std::size_t k = i; k < end; ++k)
-            result[order[k]] = static_cast<double>(i + 1 + end) / 2;
+        while (end < order.size() && values[order[end]] == values[order[i]]) ++end;
+        for (std::size_t k = i; k < end; ++k) result[order[k]] = static_cast<double>(i + 1 + end) / 2;
         i = end;
     }
     return result;
@@ -142,16 +132,13 @@ double rank_sum_p(const std::vector<double>& first, const std::vector<double>& s
     std::vector<double> all = first;
     all.insert(all.end(), second.begin(), second.end());
     const std::size_t n = first.size(), total = all.size();
-    if (n == 0 || n == total)
-        return 1;
+    if (n == 0 || n == total) return 1;
     const std::vector<double> rank = ranks(all);
     const double seen = std::accumulate(rank.begin(), rank.begin() + static_cast<long>(n), 0.0);
     if (total > max_counted) {
         const double N = static_cast<double>(total), share = static_cast<double>(n) / N;
-        const double spread =
-            squares(rank) / N - (N + 1) * (N + 1) / 4; // variance of one rank; ties lessen it
-        return two_sided_normal(seen, share * N * (N + 1) / 2,
-                                share * (1 - share) * N * N / (N - 1) * spread);
+        const double spread = squares(rank) / N - (N + 1) * (N + 1) / 4; // variance of one rank; ties lessen it
+        return two_sided_normal(seen, share * N * (N + 1) / 2, share * (1 - share) * N * N / (N - 1) * spread);
     }
     const std::size_t largest = total * (total + 1); // twice the sum of all ranks
     // counts[k][s]: number of choices of k ranks with the sum s
@@ -159,23 +146,19 @@ double rank_sum_p(const std::vector<double>& first, const std::vector<double>& s
     counts[0][0] = 1;
     for (const double r : rank)
         for (std::size_t k = n; k >= 1; --k)
-            for (std::size_t s = doubled(r); s <= largest; ++s)
-                counts[k][s] += counts[k - 1][s - doubled(r)];
+            for (std::size_t s = doubled(r); s <= largest; ++s) counts[k][s] += counts[k - 1][s - doubled(r)];
     return two_sided(counts[n], doubled(seen));
 }
 
 double signed_rank_p(std::vector<double> differences) {
     constexpr std::size_t max_counted = 400;
     std::erase(differences, 0.0);
-    if (differences.empty())
-        return 1;
+    if (differences.empty()) return 1;
     std::vector<double> sizes;
-    for (const double difference : differences)
-        sizes.push_back(std::abs(difference));
+    for (const double difference : differences) sizes.push_back(std::abs(difference));
     const std::vector<double> rank = ranks(sizes);
     double seen = 0;
-    for (std::size_t i = 0; i < rank.size(); ++i)
-        seen += differences[i] > 0 ? rank[i] : 0;
+    for (std::size_t i = 0; i < rank.size(); ++i) seen += differences[i] > 0 ? rank[i] : 0;
     if (sizes.size() > max_counted)
         return two_sided_normal(seen, std::accumulate(rank.begin(), rank.end(), 0.0) / 2, squares(rank) / 4);
     std::vector<double> chance{1.0}; // probability of each sum of the ranks with a positive sign
@@ -199,8 +182,7 @@ Friedman friedman(const std::vector<std::vector<double>>& blocks) {
     for (const auto& block : blocks) {
         const std::vector<double> rank = ranks(block);
         squared += squares(rank);
-        for (std::size_t j = 0; j < treatments; ++j)
-            result.mean_ranks[j] += rank[j];
+        for (std::size_t j = 0; j < treatments; ++j) result.mean_ranks[j] += rank[j];
     }
     double between = 0;
     for (double& mean : result.mean_ranks) {

@@ -39,8 +39,7 @@ Interval median_interval(std::vector<double> values, double confidence = 0.95);
 /// @param statistic  of the observations with these indices, which may repeat
 /// @param draws      resamples
 /// @param seed       of the resamples
-Interval bootstrap_interval(std::size_t n,
-                            const std::function<double(const std::vector<std::size_t>&)>& statistic,
+Interval bootstrap_interval(std::size_t n, const std::function<double(const std::vector<std::size_t>&)>& statistic,
                             std::size_t draws, double confidence, std::uint64_t seed);
 
 /// Slope of the least-squares line through the points (x, y); NaN for fewer than two.
@@ -67,7 +66,7 @@ double signed_rank_p(std::vector<double> differences);
 struct Friedman {
     std::vector<double> mean_ranks; ///< mean rank of each treatment over the blocks; 1 for the smallest value
     double statistic = 0;           ///< Friedman's chi-square with its correction for ties
-    double p = 1; ///< p-value from the chi-square distribution with one degree less than treatments
+    double p = 1;                   ///< p-value from the chi-square distribution with one degree less than treatments
 };
 /// @param blocks  at least one row, each with one value per treatment
 Friedman friedman(const std::vector<std::vector<double>>& blocks);
@@ -80,8 +79,7 @@ std::vector<double> holm(const std::vector<double>& p);
 template <class Row, class Value>
 std::vector<double> column(const std::vector<Row>& rows, Value value) {
     std::vector<double> values;
-    for (const Row& row : rows)
-        values.push_back(std::invoke(value, row));
+    for (const Row& row : rows) values.push_back(std::invoke(value, row));
     return values;
 }
 

@@ -26,8 +26,7 @@ class Team {
     template <class Job>
     void each_block(Index blocks, const Job& job) {
 #pragma omp parallel for schedule(dynamic) num_threads(size_) if (size_ > 1 && blocks > 1)
-        for (Index block = 0; block < blocks; ++block)
-            job(block, omp_get_thread_num());
+        for (Index block = 0; block < blocks; ++block) job(block, omp_get_thread_num());
     }
 
     /// Numbers that one thread takes at a time.
@@ -36,32 +35,28 @@ class Team {
     /// Runs job(first, count, worker) for ranges of `length` of n things.
     template <class Job>
     void each_range(Index n, const Job& job, Index length = usual_length) {
-        each_block((n + length - 1) / length, [&](Index block, int worker) {
-            job(block * length, std::min(length, n - block * length), worker);
-        });
+        each_block((n + length - 1) / length,
+                   [&](Index block, int worker) { job(block * length, std::min(length, n - block * length), worker); });
     }
 
     /// Runs job(i) for i = 0 .. n-1.
     template <class Job>
     void each(Index n, const Job& job) {
         each_range(n, [&](Index first, Index count, int) {
-            for (Index i = first; i < first + count; ++i)
-                job(i);
+            for (Index i = first; i < first + count; ++i) job(i);
         });
     }
 
     /// part(first, count) of the ranges of n numbers, joined by combine(a, b) from the first to the last.
     template <class Part, class Combine>
     double over_ranges(Index n, const Part& part, const Combine& combine) {
-        if (n <= usual_length)
-            return n > 0 ? part(Index(0), n) : 0;
+        if (n <= usual_length) return n > 0 ? part(Index(0), n) : 0;
         std::vector<double> parts(static_cast<std::size_t>((n + usual_length - 1) / usual_length));
         each_range(n, [&](Index first, Index count, int) {
             parts[static_cast<std::size_t>(first / usual_length)] = part(first, count);
         });
         double all = parts.front();
-        for (std::size_t k = 1; k < parts.size(); ++k)
-            all = combine(all, parts[k]);
+        for (std::size_t k = 1; k < parts.size(); ++k) all = combine(all, parts[k]);
         return all;
     }
     /// The sum of part(first, count) over the ranges.
@@ -74,8 +69,7 @@ class Team {
     double sum_of(Index n, const Value& value) {
         return sum(n, [&](Index first, Index count) {
             double all = 0;
-            for (Index i = first; i < first + count; ++i)
-                all += value(i);
+            for (Index i = first; i < first + count; ++i) all += value(i);
             return all;
         });
     }
@@ -90,8 +84,7 @@ class Team {
     double largest_of(Index n, const Value& value) {
         return largest(n, [&](Index first, Index count) {
             double max = 0;
-            for (Index i = first; i < first + count; ++i)
-                max = std::max(max, value(i));
+            for (Index i = first; i < first + count; ++i) max = std::max(max, value(i));
             return max;
         });
     }
@@ -100,9 +93,8 @@ class Team {
     template <class From, class To>
     void copy(const From& from, To& to) {
         to.resize(from.size());
-        each_range(from.size(), [&](Index first, Index count, int) {
-            std::copy_n(from.data() + first, count, to.data() + first);
-        });
+        each_range(from.size(),
+                   [&](Index first, Index count, int) { std::copy_n(from.data() + first, count, to.data() + first); });
     }
     /// The numbers i < n for which holds(i), increasing.
     template <class Holds>
@@ -111,12 +103,10 @@ class Team {
         each_range(n, [&](Index first, Index count, int) {
             std::vector<int>& part = parts[static_cast<std::size_t>(first / usual_length)];
             for (Index i = first; i < first + count; ++i)
-                if (holds(i))
-                    part.push_back(static_cast<int>(i));
+                if (holds(i)) part.push_back(static_cast<int>(i));
         });
         std::vector<int> numbers;
-        for (const std::vector<int>& part : parts)
-            numbers.insert(numbers.end(), part.begin(), part.end());
+        for (const std::vector<int>& part : parts) numbers.insert(numbers.end(), part.begin(), part.end());
         return numbers;
     }
 

@@ -17,8 +17,7 @@ std::vector<const VectorLoops*> available() {
     if (fma && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
         __builtin_cpu_supports("avx512vl"))
         all.push_back(&avx512_loops);
-    if (fma)
-        all.push_back(&avx2_loops);
+    if (fma) all.push_back(&avx2_loops);
 #endif
     all.push_back(&baseline_loops);
     return all;
@@ -28,8 +27,7 @@ std::vector<const VectorLoops*> available() {
 
 const VectorLoops* vector_loops(const char* vectors) {
     for (const VectorLoops* loops : available())
-        if (std::strcmp(loops->vectors, vectors) == 0)
-            return loops;
+        if (std::strcmp(loops->vectors, vectors) == 0) return loops;
     return nullptr;
 }
 

@@ -15,8 +15,7 @@ constexpr double threshold = 0.95; ///< correlation above which a part is domina
 std::optional<Response> response_alone(const Genome& genome, const LengthScale& scale, const Model& model) {
     const Genome alone = only(genome, scale);
     const Profile profile = sample(alone, model.grid);
-    if (is_flat(profile, alone))
-        return std::nullopt;
+    if (is_flat(profile, alone)) return std::nullopt;
     return respond(profile, model.body, model.loading, model.contact);
 }
 
@@ -31,8 +30,7 @@ DominantParts dominant_parts(const Curve& whole, const std::vector<std::optional
             correlation = pearson(whole.y, whole.x.unaryExpr([&](double x) {
                 return part->at(std::clamp(x, part->x[0], part->x[part->x.size() - 1]));
             }));
-        if (correlation > best)
-            best = correlation;
+        if (correlation > best) best = correlation;
         result.correlation.push_back(correlation);
         result.dominant.push_back(correlation > threshold); // Algorithm 1
     }
@@ -45,8 +43,7 @@ DominantParts dominant_parts(const Curve& whole, const std::vector<std::optional
 
 bool Dominance::at(std::size_t series, std::size_t chromosome) const {
     for (std::size_t i = 0; i < scales.size(); ++i)
-        if (std::ranges::count(scales[i].members, std::pair(series, chromosome)) > 0)
-            return dominant[i] != 0;
+        if (std::ranges::count(scales[i].members, std::pair(series, chromosome)) > 0) return dominant[i] != 0;
     return false;
 }
 
@@ -80,8 +77,7 @@ Genome reduced_to_target(const DesignSetup& setup, const Genome& genome, std::si
     (wanted.against_pressure() ? model.loading.to_pressure : model.loading.to_displacement) = wanted.last();
     const auto scales = length_scales(genome);
     std::vector<std::optional<Curve>> alone(scales.size());
-    for (std::size_t i = 0; i < scales.size(); ++i)
-        try {
+    for (std::size_t i = 0; i < scales.size(); ++i) try {
             if (const auto response = response_alone(genome, scales[i], model)) {
                 alone[i] = curve_of(wanted.quantity, *response);
                 work.price += 1;

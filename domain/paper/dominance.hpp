@@ -19,7 +19,7 @@ DominantParts dominant_parts(const Curve& whole, const std::vector<std::optional
 /// The length scales that dominate a genome's K. The correlation is NaN for a flat scale or constant K.
 struct Dominance : DominantParts {
     std::vector<LengthScale> scales; ///< the genome's length scales, in the order of the parts
-    double price = 0; ///< price of the curves that were compared, in curves of the rule's model
+    double price = 0;                ///< price of the curves that were compared, in curves of the rule's model
 
     /// Whether a chromosome is in a dominant length scale, by the indices of its series and in this series.
     bool at(std::size_t series, std::size_t chromosome) const;

@@ -34,9 +34,8 @@ Variables<Genome> phases_where(const char* name, const Vocabulary& words, bool d
     return {name, [rule = words.rule, reach = words.reach, dominant](const Genome& genome, Work& work) {
                 const Dominance dominance = (*rule)(genome);
                 work.price += dominance.price;
-                return phase_variables(genome, reach, [&](std::size_t s, std::size_t c) {
-                    return dominance.at(s, c) == dominant;
-                });
+                return phase_variables(genome, reach,
+                                       [&](std::size_t s, std::size_t c) { return dominance.at(s, c) == dominant; });
             }};
 }
 
@@ -68,10 +67,9 @@ Registry<DesignProblem> paper_registry(const Vocabulary& words) {
                  "the sum of two genomes, each at its scored scale");
     registry.add(phases_where("dominant", words, true), "phases of the dominant chromosomes (Algorithm 1)");
     registry.add(phases_where("others", words, false), "phases of the other chromosomes");
-    registry.add(
-        Variables<Genome>{
-            "phases", [reach = words.reach](const Genome& genome) { return phase_variables(genome, reach); }},
-        "phases of all chromosomes");
+    registry.add(Variables<Genome>{"phases", [reach = words.reach](
+                                                 const Genome& genome) { return phase_variables(genome, reach); }},
+                 "phases of all chromosomes");
     return registry;
 }
 

@@ -21,8 +21,7 @@ struct Vocabulary {
 /// The paper's problem: the genome whose K(p) is most similar to the target after Eq. 11 has rescaled its
 /// last load step to `max_pressure` (p_max, MPa). `threshold` is p_bar (MPa): the objective `low` is on [0,
 /// p_bar], `high` on [p_bar, p_max]. Only phases are genes.
-DesignSetup paper_setup(Model model, Target target, double max_pressure, double threshold,
-                        PhaseReach reach = {});
+DesignSetup paper_setup(Model model, Target target, double max_pressure, double threshold, PhaseReach reach = {});
 
 /// The operators of text pipelines for the paper's problem: those of the engine and for rough surfaces.
 ga::Registry<DesignProblem> paper_registry(const Vocabulary& words);

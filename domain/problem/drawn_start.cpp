@@ -79,9 +79,8 @@ Genome drawn_start(const DesignSetup& setup, ga::Stream random) {
         genome.series.push_back(std::move(series));
     };
     if (setup.model.grid.periodic && !setup.model.grid.is_2d()) {
-        for (Series& series :
-             harmonic_series(setup.model.grid.length, shortest,
-                             within(random.uniform(0.5, 1.5), setup.bounds.H_from, setup.bounds.H_to)))
+        for (Series& series : harmonic_series(setup.model.grid.length, shortest,
+                                              within(random.uniform(0.5, 1.5), setup.bounds.H_from, setup.bounds.H_to)))
             take(std::move(series));
         return genome;
     }
@@ -101,13 +100,11 @@ double fitting_price(const DesignSetup& setup) {
 
 Genome with_fitting_amplitude(const DesignSetup& setup, const Genome& genome) {
     constexpr double rounding = 1e-12; // a point beyond the curve by this share is at its end
-    if (setup.max_pressure)
-        return genome;
+    if (setup.max_pressure) return genome;
     const Target& target = setup.targets.front();
     const Model model = fitting_model(setup.model);
     const Response response = respond(folded(genome), model);
-    const double end =
-        target.against_pressure() ? response.pressure.tail(1)[0] : response.displacement.tail(1)[0];
+    const double end = target.against_pressure() ? response.pressure.tail(1)[0] : response.displacement.tail(1)[0];
     const double lowest = target.last() / end;
     double best = lowest, nearest = std::numeric_limits<double>::infinity(), ratio = std::pow(2.0, 0.5);
     const auto consider = [&](double scale) {
@@ -115,17 +112,13 @@ Genome with_fitting_amplitude(const DesignSetup& setup, const Genome& genome) {
         const double last = curve.to * (1 + rounding);
         double worst = 0; // points beyond the curve at this amplitude count as a misfit of 1
         for (Index k = 0; k < target.points(); ++k)
-            worst =
-                std::max(worst, target.x[k] > last ? 1 : std::abs(misfit(target, k, curve.at(target.x[k]))));
-        if (worst < nearest)
-            best = scale, nearest = worst;
+            worst = std::max(worst, target.x[k] > last ? 1 : std::abs(misfit(target, k, curve.at(target.x[k]))));
+        if (worst < nearest) best = scale, nearest = worst;
     };
-    for (int i = 0; i < 33; ++i)
-        consider(lowest * std::pow(ratio, i));
+    for (int i = 0; i < 33; ++i) consider(lowest * std::pow(ratio, i));
     for (int round = 0; round < 12; ++round) {
         ratio = std::sqrt(ratio);
-        for (const double scale : {best * ratio, best / ratio})
-            consider(scale);
+        for (const double scale : {best * ratio, best / ratio}) consider(scale);
     }
     Genome fitted = folded(genome);
     fitted.scale = best;

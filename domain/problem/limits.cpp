@@ -13,11 +13,9 @@ struct Location {
 
 /// The genome's waves; those of a line run along x.
 std::vector<PlaneWave> waves_on(const Grid& grid, const Genome& genome) {
-    if (grid.is_2d())
-        return plane_waves(genome, grid);
+    if (grid.is_2d()) return plane_waves(genome, grid);
     std::vector<PlaneWave> all;
-    for (const Wave& w : waves(genome))
-        all.push_back({w.amplitude, w.wave_number, 0, w.phase});
+    for (const Wave& w : waves(genome)) all.push_back({w.amplitude, w.wave_number, 0, w.phase});
     return all;
 }
 
@@ -84,12 +82,10 @@ Extremes extremes(const std::vector<PlaneWave>& waves, const Grid& grid, int ord
     Extremes result{HUGE_VAL, -HUGE_VAL, {}, {}, between_nodes(waves, order, fine.widest_spacing())};
     const auto consider = [&](Index node, double value, double angle) {
         const Location at{fine.first_x() + fine.spacing() * static_cast<double>(node % fine.nodes),
-                          fine.first_y() + fine.row_spacing() * static_cast<double>(node / fine.nodes),
-                          std::cos(angle), std::sin(angle)};
-        if (value > result.max)
-            result.max = value, result.at_max = at;
-        if (value < result.min)
-            result.min = value, result.at_min = at;
+                          fine.first_y() + fine.row_spacing() * static_cast<double>(node / fine.nodes), std::cos(angle),
+                          std::sin(angle)};
+        if (value > result.max) result.max = value, result.at_max = at;
+        if (value < result.min) result.min = value, result.at_min = at;
     };
     for (Index i = 0; i < x.size(); ++i)
         if (!is_map || order == 0) {
@@ -120,16 +116,14 @@ std::vector<ShapeLimit> shape_limits(const Genome& genome, const Grid& grid, con
         const bool up = e.max >= -e.min;
         result.push_back({e.largest() / limit, order, {{(up ? 1 : -1) / limit, up ? e.at_max : e.at_min}}});
     };
-    if (limits.max_slope < MakingLimits::none)
-        largest(1, limits.max_slope);
+    if (limits.max_slope < MakingLimits::none) largest(1, limits.max_slope);
     if (limits.max_height < MakingLimits::none) {
         const Extremes e = extremes(all, grid, 0);
         result.push_back({e.range() / limits.max_height,
                           0,
                           {{1 / limits.max_height, e.at_max}, {-1 / limits.max_height, e.at_min}}});
     }
-    if (limits.min_radius > 0)
-        largest(2, 1 / limits.min_radius);
+    if (limits.min_radius > 0) largest(2, 1 / limits.min_radius);
     return result;
 }
 
@@ -144,14 +138,12 @@ double value_at(const Genome& genome, const ShapeLimit& limit, const Grid& fine)
 
 } // namespace
 
-std::vector<ga::Variable> phase_variables(const Genome& genome, PhaseReach reach,
-                                          const ChosenChromosomes& chosen) {
+std::vector<ga::Variable> phase_variables(const Genome& genome, PhaseReach reach, const ChosenChromosomes& chosen) {
     std::vector<ga::Variable> variables;
     const auto places = gene_places(genome);
     const auto values = genes(genome);
     for (std::size_t g = 0; g < places.size(); ++g)
-        if (places[g].kind == GenePlace::Kind::phase &&
-            (!chosen || chosen(places[g].series, places[g].chromosome))) {
+        if (places[g].kind == GenePlace::Kind::phase && (!chosen || chosen(places[g].series, places[g].chromosome))) {
             const double half = reach.relative * std::abs(values[g]) + reach.absolute;
             variables.push_back({g, values[g] - half, values[g] + half});
         }
@@ -169,8 +161,7 @@ std::vector<Margin> margins(const Genome& genome, const Grid& grid, const Making
 double excess(const Genome& genome, const Grid& grid, const MakingLimits& limits) {
     double sum = 0;
     if (limits.any_shape())
-        for (const ShapeLimit& limit : shape_limits(genome, grid, limits))
-            sum += std::max(0.0, limit.ratio - 1);
+        for (const ShapeLimit& limit : shape_limits(genome, grid, limits)) sum += std::max(0.0, limit.ratio - 1);
     return sum;
 }
 
@@ -179,14 +170,12 @@ ga::Sensitivity limit_rows(const Genome& genome, const Grid& grid, const MakingL
     const auto all = shape_limits(genome, grid, limits);
     const std::vector<double> values = genes(genome);
     const Grid fine = search_grid(grid);
-    ga::Sensitivity rows{
-        Eigen::VectorXd::Zero(static_cast<Index>(all.size())),
-        Eigen::MatrixXd::Zero(static_cast<Index>(all.size()), static_cast<Index>(values.size()))};
+    ga::Sensitivity rows{Eigen::VectorXd::Zero(static_cast<Index>(all.size())),
+                         Eigen::MatrixXd::Zero(static_cast<Index>(all.size()), static_cast<Index>(values.size()))};
     for (std::size_t i = 0; i < all.size(); ++i) {
         const auto row = static_cast<Index>(i);
         rows.residuals[row] = std::max(0.0, all[i].ratio - (1 - guard));
-        if (rows.residuals[row] == 0)
-            continue;
+        if (rows.residuals[row] == 0) continue;
         if (d_scale.size() > 0) // the profile is proportional to its scale
             rows.jacobian.row(row) += value_at(genome, all[i], fine) / genome.scale * d_scale;
         for (std::size_t g = 0; g < values.size(); ++g) {
@@ -194,9 +183,9 @@ ga::Sensitivity limit_rows(const Genome& genome, const Grid& grid, const MakingL
             auto up = values, down = values;
             up[g] += h;
             down[g] -= h;
-            rows.jacobian(row, static_cast<Index>(g)) += (value_at(with_genes(genome, up), all[i], fine) -
-                                                          value_at(with_genes(genome, down), all[i], fine)) /
-                                                         (2 * h);
+            rows.jacobian(row, static_cast<Index>(g)) +=
+                (value_at(with_genes(genome, up), all[i], fine) - value_at(with_genes(genome, down), all[i], fine)) /
+                (2 * h);
         }
     }
     return rows;

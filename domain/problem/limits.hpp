@@ -25,8 +25,7 @@ struct PhaseReach {
 using ChosenChromosomes = std::function<bool(std::size_t series, std::size_t chromosome)>;
 
 /// A variable for each phase of the genome, or only of the chosen chromosomes.
-std::vector<ga::Variable> phase_variables(const Genome& genome, PhaseReach reach,
-                                          const ChosenChromosomes& chosen = {});
+std::vector<ga::Variable> phase_variables(const Genome& genome, PhaseReach reach, const ChosenChromosomes& chosen = {});
 
 /// Limits of manufacturing. By default nothing is limited.
 struct MakingLimits {

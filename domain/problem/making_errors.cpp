@@ -19,11 +19,9 @@ std::uint64_t fixed_draws(const Grid& grid) {
 /// are against pressure.
 std::vector<Loading> loadings_of_made(const DesignSetup& given, const DesignSetup& made) {
     std::vector<Loading> loadings = loadings_of(made, made.model.loading);
-    if (!given.max_pressure)
-        return loadings;
+    if (!given.max_pressure) return loadings;
     const double last = std::ranges::max(given.targets, {}, &Target::last).last(); // pressure
-    for (Loading& loading : loadings)
-        *loading.to_pressure *= std::max(1., *given.max_pressure / last);
+    for (Loading& loading : loadings) *loading.to_pressure *= std::max(1., *given.max_pressure / last);
     return loadings;
 }
 
@@ -44,13 +42,11 @@ double SurfaceWithErrors::similarity(const Eigen::VectorXd& errors) const {
     std::vector<Response> responses;
     try {
         for (const Loading& loading : loadings_)
-            responses.push_back(respond(made, setup_.model.body,
-                                        up_to_full_contact(loading, made, setup_.model),
+            responses.push_back(respond(made, setup_.model.body, up_to_full_contact(loading, made, setup_.model),
                                         setup_.model.contact));
         return rough::similarity(setup_, design_response(setup_, std::move(responses)));
     } catch (const std::exception&) {
-        if (is_stopped(setup_.model.contact))
-            throw ga::Stopped{"stop requested"};
+        if (is_stopped(setup_.model.contact)) throw ga::Stopped{"stop requested"};
         return -HUGE_VAL;
     }
 }
@@ -60,8 +56,7 @@ ga::Sensitivity SurfaceWithErrors::misfits(const Eigen::VectorXd& errors, const 
     made.heights += errors;
     const auto in_genes = [&](const Eigen::MatrixXd& by_heights) {
         Eigen::MatrixXd by_genes = pulled_back(by_heights, genome_, setup_.model.grid);
-        if (plain.d_factor.size() > 0)
-            by_genes += by_heights * surface_.heights / plain.factor * plain.d_factor;
+        if (plain.d_factor.size() > 0) by_genes += by_heights * surface_.heights / plain.factor * plain.d_factor;
         return by_genes;
     };
     return misfit_rows(setup_, made, loadings_, setup_.model, in_genes).misfits;
@@ -94,14 +89,11 @@ CommonErrors::CommonErrors(const DesignSetup& setup) {
 
 double CommonErrors::similarity(const SurfaceWithErrors& made) const {
     std::vector<double> with_noise{1}, with_tilts{1};
-    for (const Eigen::VectorXd& heights : tilts)
-        with_tilts.push_back(made.similarity(heights));
-    for (const Eigen::VectorXd& heights : noise)
-        with_noise.push_back(made.similarity(heights));
+    for (const Eigen::VectorXd& heights : tilts) with_tilts.push_back(made.similarity(heights));
+    for (const Eigen::VectorXd& heights : noise) with_noise.push_back(made.similarity(heights));
     std::sort(with_noise.begin(), with_noise.end());
     const auto worst = static_cast<std::ptrdiff_t>(std::max<std::size_t>(1, noise.size() / 10));
-    return std::min(std::accumulate(with_noise.begin(), with_noise.begin() + worst, 0.) /
-                        static_cast<double>(worst),
+    return std::min(std::accumulate(with_noise.begin(), with_noise.begin() + worst, 0.) / static_cast<double>(worst),
                     *std::min_element(with_tilts.begin(), with_tilts.end()));
 }
 
@@ -114,8 +106,7 @@ Eigen::VectorXd height_noise(const Grid& grid, double length, std::uint64_t seed
     const Extent shape{elements(grid.nodes), grid.is_2d() ? elements(grid.rows) : 1};
     const double dq = 2 * pi * length / (period * grid.length), // step of q l
         dq_y = grid.is_2d() ? 2 * pi * length / (period * grid.width) : 0;
-    const auto last = static_cast<Index>(cut / dq),
-               last_y = grid.is_2d() ? static_cast<Index>(cut / dq_y) : 0;
+    const auto last = static_cast<Index>(cut / dq), last_y = grid.is_2d() ? static_cast<Index>(cut / dq_y) : 0;
     const auto folded = [](Index k, Index n) { return (k % n + n) % n; };
     Eigen::ArrayXXcd waves = Eigen::ArrayXXcd::Zero(shape.columns, shape.rows);
     ga::Stream random(seed);
@@ -123,14 +114,12 @@ Eigen::VectorXd height_noise(const Grid& grid, double length, std::uint64_t seed
     for (Index j = -last_y; j <= last_y; ++j)
         for (Index i = -last; i <= last; ++i) {
             const double ql = std::hypot(dq * static_cast<double>(i), dq_y * static_cast<double>(j));
-            if (ql > cut)
-                continue;
+            if (ql > cut) continue;
             const double amplitude = std::exp(-ql * ql / 8), a = random.normal(), b = random.normal();
             power += amplitude * amplitude;
             const double angle = dq / length * static_cast<double>(i) * grid.first_x() +
                                  dq_y / length * static_cast<double>(j) * grid.first_y();
-            waves(folded(i, shape.columns), folded(j, shape.rows)) +=
-                std::polar(amplitude, angle) * std::complex(a, b);
+            waves(folded(i, shape.columns), folded(j, shape.rows)) += std::polar(amplitude, angle) * std::complex(a, b);
         }
     const Eigen::ArrayXXd heights = inverse_complex_transform(waves).real();
     return heights.topLeftCorner(grid.nodes, grid.rows).reshaped() / std::sqrt(power);

@@ -26,16 +26,13 @@ constexpr double gradient_price = 1.4; ///< price of a derivative of a curve in 
 /// The time of a model's curve, ms. Between entries and beyond them it is a power of the number of nodes.
 double curve_time(const Model& model) {
     const CurveTimes& of = model.grid.is_2d() ? of_maps : of_lines;
-    const double place =
-        std::log(static_cast<double>(model.grid.shape().nodes()) / of.nodes) / std::log(of.factor);
-    const auto left = static_cast<std::size_t>(
-        std::clamp(std::floor(place), 0.0, static_cast<double>(of.times.size() - 2)));
+    const double place = std::log(static_cast<double>(model.grid.shape().nodes()) / of.nodes) / std::log(of.factor);
+    const auto left =
+        static_cast<std::size_t>(std::clamp(std::floor(place), 0.0, static_cast<double>(of.times.size() - 2)));
     const double share = place - static_cast<double>(left);
-    const double steps = model.loading.pressures.empty()
-                             ? model.loading.steps
-                             : static_cast<double>(model.loading.pressures.size());
-    return of.times[left] * std::pow(of.times[left + 1] / of.times[left], share) *
-           std::pow(steps / 20, of.exponent);
+    const double steps =
+        model.loading.pressures.empty() ? model.loading.steps : static_cast<double>(model.loading.pressures.size());
+    return of.times[left] * std::pow(of.times[left + 1] / of.times[left], share) * std::pow(steps / 20, of.exponent);
 }
 
 } // namespace

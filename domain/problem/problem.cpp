@@ -20,8 +20,7 @@ auto unless_stopped(const ContactOptions& contact, Work work) {
     try {
         return work();
     } catch (const NotConverged&) {
-        if (is_stopped(contact))
-            throw ga::Stopped{"stop requested"};
+        if (is_stopped(contact)) throw ga::Stopped{"stop requested"};
         throw;
     }
 }
@@ -65,16 +64,15 @@ Feature slope(const Profile& surface, double) {
     const auto z = surface.heights.reshaped(columns, rows);
     double square = 0;
     Eigen::MatrixXd by = Eigen::MatrixXd::Zero(columns, rows);
-    const auto add = [&](const auto& after, const auto& before, auto by_after, auto by_before,
-                         double spacing) {
+    const auto add = [&](const auto& after, const auto& before, auto by_after, auto by_before, double spacing) {
         const Eigen::MatrixXd slopes = (after - before) / spacing;
         const double share = 1 / static_cast<double>(slopes.size());
         square += share * slopes.squaredNorm();
         by_after += share / spacing * slopes;
         by_before -= share / spacing * slopes;
     };
-    add(z.bottomRows(columns - 1), z.topRows(columns - 1), by.bottomRows(columns - 1),
-        by.topRows(columns - 1), surface.spacing);
+    add(z.bottomRows(columns - 1), z.topRows(columns - 1), by.bottomRows(columns - 1), by.topRows(columns - 1),
+        surface.spacing);
     if (surface.is_2d())
         add(z.rightCols(rows - 1), z.leftCols(rows - 1), by.rightCols(rows - 1), by.leftCols(rows - 1),
             surface.row_spacing);
@@ -92,14 +90,12 @@ Feature skewness(const Profile& profile, double) {
     const auto n = static_cast<double>(z.size());
     const double variance = z.squaredNorm() / n, third = z.array().cube().sum() / n;
     const double scale = std::pow(variance, 1.5);
-    return {third / scale,
-            3 / (n * scale) * ((z.array().square() - variance).matrix() - third / variance * z)};
+    return {third / scale, 3 / (n * scale) * ((z.array().square() - variance).matrix() - third / variance * z)};
 }
 
-ga::Descriptor<Genome> descriptor(const std::string& name, Feature (*feature)(const Profile&, double),
-                                  double lower, double upper, const Grid& grid) {
-    return {name, [=](const Genome& genome) { return feature(sample(genome, grid), grid.length).value; },
-            lower, upper,
+ga::Descriptor<Genome> descriptor(const std::string& name, Feature (*feature)(const Profile&, double), double lower,
+                                  double upper, const Grid& grid) {
+    return {name, [=](const Genome& genome) { return feature(sample(genome, grid), grid.length).value; }, lower, upper,
             [=](const Genome& genome) {
                 const Eigen::RowVectorXd by_gene =
                     pulled_back(feature(sample(genome, grid), grid.length).by_height, genome, grid);
@@ -122,8 +118,7 @@ DesignProblem::DesignProblem(DesignSetup setup, std::shared_ptr<const Verifier> 
       memory_(std::move(memory)), descriptors_(surface_descriptors(setup_->model.grid)) {
     validate(*setup_);
     errors_ = std::make_shared<CommonErrors>(*setup_);
-    levels_ =
-        level_prices(setup_->model, verifier_->setup().model, errors_->noise.size() + errors_->tilts.size());
+    levels_ = level_prices(setup_->model, verifier_->setup().model, errors_->noise.size() + errors_->tilts.size());
     // A genome over the limits is ranked below every genome within them, by its excess.
     const auto limited = [](double similarity, const Outcome& outcome) {
         return outcome.excess > 0 ? std::min(similarity, 0.0) - 1 - outcome.excess : similarity;
@@ -150,8 +145,7 @@ DesignOutcome DesignProblem::evaluate(const Genome& genome, ga::Level level) con
     Outcome outcome;
     if (level == level::verified) {
         Verification found = verifier_->of(genome);
-        if (std::isnan(found.worst))
-            throw ga::Stopped{"stop requested"};
+        if (std::isnan(found.worst)) throw ga::Stopped{"stop requested"};
         outcome.scale = eq_11(verifier_->setup(), found.on_grid.front());
         outcome.misfits = std::move(found.misfits[3]);
         outcome.similarity = found.worst;
@@ -161,8 +155,7 @@ DesignOutcome DesignProblem::evaluate(const Genome& genome, ga::Level level) con
         outcome.similarity = min_similarity(outcome.misfits);
     }
     const Genome final = final_genome(genome, outcome);
-    if (level == level::made)
-        outcome.similarity = std::min(outcome.similarity, errors_->similarity({*setup_, final}));
+    if (level == level::made) outcome.similarity = std::min(outcome.similarity, errors_->similarity({*setup_, final}));
     outcome.excess = excess(final, setup_->model.grid, setup_->limits);
     return outcome;
 }
@@ -170,10 +163,8 @@ DesignOutcome DesignProblem::evaluate(const Genome& genome, ga::Level level) con
 std::vector<Response> DesignProblem::search_responses(const Genome& genome) const {
     auto responses = memory_ ? memory_->find(key(genome)) : std::nullopt;
     if (!responses) {
-        responses = unless_stopped(setup_->model.contact,
-                                   [&] { return responses_of(*setup_, genome, setup_->model); });
-        if (memory_)
-            memory_->keep(key(genome), *responses);
+        responses = unless_stopped(setup_->model.contact, [&] { return responses_of(*setup_, genome, setup_->model); });
+        if (memory_) memory_->keep(key(genome), *responses);
     }
     return *responses;
 }
@@ -195,16 +186,14 @@ bool DesignProblem::valid_outcome(const Outcome& outcome) const {
 std::string DesignProblem::key(const Genome& genome) const { return key_of(*setup_, genome); }
 
 Genome DesignProblem::final_genome(Genome genome, const Outcome& outcome) const {
-    if (setup_->max_pressure)
-        genome.scale = outcome.scale;
+    if (setup_->max_pressure) genome.scale = outcome.scale;
     return genome;
 }
 
 Genome DesignProblem::sample(ga::Stream& random, ga::Work& work) const {
     work.price += levels_[0].evaluation * fitting_price(*setup_);
-    return unless_stopped(setup_->model.contact, [&] {
-        return with_fitting_amplitude(*setup_, drawn_start(*setup_, ga::Stream(random())));
-    });
+    return unless_stopped(setup_->model.contact,
+                          [&] { return with_fitting_amplitude(*setup_, drawn_start(*setup_, ga::Stream(random()))); });
 }
 
 double DesignProblem::distance(const Genome& a, const Genome& b) const {
@@ -213,8 +202,7 @@ double DesignProblem::distance(const Genome& a, const Genome& b) const {
 }
 
 std::vector<ga::Variable> DesignProblem::bounds(const Genome& genome) const {
-    if (setup_->phases)
-        return phase_variables(genome, *setup_->phases);
+    if (setup_->phases) return phase_variables(genome, *setup_->phases);
     const GeneBounds& within = setup_->bounds;
     const auto places = gene_places(genome);
     const auto values = genes(genome);
@@ -222,10 +210,9 @@ std::vector<ga::Variable> DesignProblem::bounds(const Genome& genome) const {
     for (std::size_t g = 0; g < places.size(); ++g) {
         const Series& series = genome.series[places[g].series];
         const int last = std::ranges::max(series.chromosomes, {}, &Chromosome::n).n;
-        const double slack =
-            setup_->limits.shortest_wave > 0
-                ? std::max(0.0, std::log(wave_length(series, last) / setup_->limits.shortest_wave))
-                : 10;
+        const double slack = setup_->limits.shortest_wave > 0
+                                 ? std::max(0.0, std::log(wave_length(series, last) / setup_->limits.shortest_wave))
+                                 : 10;
         double from = 0, to = 0;
         const GenePlace::Kind kind = places[g].kind;
         switch (kind) {
@@ -237,8 +224,7 @@ std::vector<ga::Variable> DesignProblem::bounds(const Genome& genome) const {
             break;
         case GenePlace::Kind::gamma:
             from = within.gamma_from;
-            to = last > 1 ? std::min(within.gamma_to, values[g] * std::exp(0.5 * slack / (last - 1)))
-                          : within.gamma_to;
+            to = last > 1 ? std::min(within.gamma_to, values[g] * std::exp(0.5 * slack / (last - 1))) : within.gamma_to;
             break;
         case GenePlace::Kind::lambda:
             from = std::max(within.lambda_from, values[g] * std::exp(-0.5 * slack));
@@ -250,13 +236,12 @@ std::vector<ga::Variable> DesignProblem::bounds(const Genome& genome) const {
             break;
         }
         // On a periodic grid every wave stays a harmonic of its length.
-        const bool harmonic = setup_->model.grid.periodic &&
-                              (kind == GenePlace::Kind::gamma || kind == GenePlace::Kind::lambda);
+        const bool harmonic =
+            setup_->model.grid.periodic && (kind == GenePlace::Kind::gamma || kind == GenePlace::Kind::lambda);
         // In a single chromosome, H has the effect of A, and gamma that of lambda.
         const bool redundant =
             series.chromosomes.size() == 1 && (kind == GenePlace::Kind::H || kind == GenePlace::Kind::gamma);
-        if (!harmonic && !redundant && from <= values[g] && values[g] <= to)
-            variables.push_back({g, from, to});
+        if (!harmonic && !redundant && from <= values[g] && values[g] <= to) variables.push_back({g, from, to});
     }
     return variables;
 }
@@ -268,23 +253,19 @@ ga::Sensitivity DesignProblem::sensitivity(const Genome& genome, const std::stri
     std::vector<Index> chosen;
     Index first = 0;
     for (std::size_t t = 0; t < setup_->targets.size(); first += setup_->targets[t++].points())
-        for (const Index k : points_of(*setup_, objective, t))
-            chosen.push_back(first + k);
+        for (const Index k : points_of(*setup_, objective, t)) chosen.push_back(first + k);
     ga::Sensitivity rows{Eigen::VectorXd(all.misfits.residuals(chosen)),
                          Eigen::MatrixXd(all.misfits.jacobian(chosen, Eigen::all))};
-    if (setup_->max_pressure)
-        shape.scale = all.factor;
+    if (setup_->max_pressure) shape.scale = all.factor;
     if (objective == "made") {
         const SurfaceWithErrors made(*setup_, shape);
         std::vector<ga::Sensitivity> parts{in_power(rows)};
         for (const auto* errors : {&errors_->noise, &errors_->tilts})
-            for (const Eigen::VectorXd& heights : *errors)
-                parts.push_back(in_power(made.misfits(heights, all)));
+            for (const Eigen::VectorXd& heights : *errors) parts.push_back(in_power(made.misfits(heights, all)));
         rows = stacked(parts);
     }
     if (setup_->limits.any_shape()) {
-        const ga::Sensitivity limits =
-            limit_rows(shape, setup_->model.grid, setup_->limits, limit_guard, all.d_factor);
+        const ga::Sensitivity limits = limit_rows(shape, setup_->model.grid, setup_->limits, limit_guard, all.d_factor);
         rows = stacked({rows, {limit_weight * limits.residuals, limit_weight * limits.jacobian}});
     }
     return rows;
@@ -292,8 +273,7 @@ ga::Sensitivity DesignProblem::sensitivity(const Genome& genome, const std::stri
 
 std::vector<ga::Descriptor<Genome>> surface_descriptors(const Grid& grid) {
     return {descriptor("height", height, -5, -1, grid), descriptor("slope", slope, -4, 0, grid),
-            descriptor("wavelength", wavelength, -2, 0.5, grid),
-            descriptor("skewness", skewness, -2, 2, grid)};
+            descriptor("wavelength", wavelength, -2, 0.5, grid), descriptor("skewness", skewness, -2, 2, grid)};
 }
 
 } // namespace rough

@@ -49,8 +49,7 @@ class DesignProblem {
     /// The problem of a set-up. Throws InputError as validate() does, and on invalid limits. Problems may
     /// share a memory if their set-ups differ only in the threshold. Under Eq. 11 targets may differ, too.
     /// Answers are verified on `threads` threads. Prices are in curves of the set-up's model.
-    explicit DesignProblem(DesignSetup setup, std::shared_ptr<ResponseMemory> memory = nullptr,
-                           int threads = 1);
+    explicit DesignProblem(DesignSetup setup, std::shared_ptr<ResponseMemory> memory = nullptr, int threads = 1);
     /// The problem of a changed set-up, e.g. on a coarser grid, with this one's prices and level `verified`.
     DesignProblem with(DesignSetup setup) const;
 
@@ -109,8 +108,7 @@ class DesignProblem {
     bool shares_memory() const { return memory_ != nullptr; } ///< whether it has a memory of responses
 
   private:
-    DesignProblem(DesignSetup setup, std::shared_ptr<const Verifier> verifier,
-                  std::shared_ptr<ResponseMemory> memory);
+    DesignProblem(DesignSetup setup, std::shared_ptr<const Verifier> verifier, std::shared_ptr<ResponseMemory> memory);
     std::vector<Response> search_responses(const Genome& genome) const;
 
     std::shared_ptr<const DesignSetup> setup_;

@@ -19,28 +19,23 @@ bool may_pass_full_contact(const Loading& loading, const Body& body) {
 }
 
 CurveJacobian curve_jacobian(Quantity quantity, const Response& response, const ResponseJacobian& jacobian) {
-    if (quantity == Quantity::stiffness)
-        return secant_jacobian(response, jacobian);
+    if (quantity == Quantity::stiffness) return secant_jacobian(response, jacobian);
     if (quantity == Quantity::interface_stiffness)
         return interface_jacobian(secant_jacobian(response, jacobian), secant_stiffness(response),
                                   response.full_stiffness);
     const Index steps = response.steps(), genes = jacobian.pressure.cols();
     CurveJacobian result{Eigen::MatrixXd::Zero(steps + 1, genes), Eigen::MatrixXd::Zero(steps + 1, genes)};
-    result.y.bottomRows(steps) =
-        is_contact_fraction(quantity) ? jacobian.contact_fraction : jacobian.pressure;
+    result.y.bottomRows(steps) = is_contact_fraction(quantity) ? jacobian.contact_fraction : jacobian.pressure;
     if (against_pressure(quantity))
         result.x.bottomRows(steps) = jacobian.pressure;
     else
         for (Index j = 0; j < steps; ++j)
-            result.x.row(j + 1) =
-                static_cast<double>(j + 1) / static_cast<double>(steps) * jacobian.last_displacement;
+            result.x.row(j + 1) = static_cast<double>(j + 1) / static_cast<double>(steps) * jacobian.last_displacement;
     return result;
 }
 
 /// The index of a target's loading among `count` ones.
-std::size_t loading_of(const Target& target, std::size_t count) {
-    return target.against_pressure() ? 0 : count - 1;
-}
+std::size_t loading_of(const Target& target, std::size_t count) { return target.against_pressure() ? 0 : count - 1; }
 
 /// Continues a curve that ends in full contact before its target, and its derivatives if given. Adds a point
 /// at twice the last x. The contact fraction there is unchanged. Stiffness and load are 101 times the last
@@ -49,8 +44,7 @@ void continue_beyond_full_contact(const DesignSetup& setup, const Target& target
                                   CurveJacobian* jacobian = nullptr) {
     const Body& body = setup.model.body;
     constexpr double rounding = 1e-6; // iteration finds a load to this share
-    if (setup.max_pressure || !body.relative_to_mean() || body.yields() ||
-        curve.to >= (1 - rounding) * target.last())
+    if (setup.max_pressure || !body.relative_to_mean() || body.yields() || curve.to >= (1 - rounding) * target.last())
         return;
     const Index points = curve.x.size();
     const double rise = is_contact_fraction(target.quantity) ? 1 : 101;
@@ -70,28 +64,23 @@ void continue_beyond_full_contact(const DesignSetup& setup, const Target& target
 } // namespace
 
 std::vector<Loading> loadings_of(const DesignSetup& setup, const Loading& loading) {
-    if (setup.max_pressure)
-        return {loading};
+    if (setup.max_pressure) return {loading};
     std::vector<Loading> loadings;
     for (const bool by_pressure : {true, false}) {
         double last = 0;
         for (const Target& target : setup.targets)
-            if (target.against_pressure() == by_pressure)
-                last = std::max(last, target.last());
-        if (last == 0)
-            continue;
+            if (target.against_pressure() == by_pressure) last = std::max(last, target.last());
+        if (last == 0) continue;
         Loading one = loading;
         one.to_pressure.reset(), one.to_displacement.reset();
-        (by_pressure ? one.to_pressure : one.to_displacement) =
-            by_pressure ? last * load_slack(setup.model) : last;
+        (by_pressure ? one.to_pressure : one.to_displacement) = by_pressure ? last * load_slack(setup.model) : last;
         loadings.push_back(std::move(one));
     }
     return loadings;
 }
 
 Genome at_scale_one(Genome genome, const DesignSetup& setup) {
-    if (setup.max_pressure)
-        genome.scale = 1;
+    if (setup.max_pressure) genome.scale = 1;
     return genome;
 }
 
@@ -100,8 +89,7 @@ std::string key_of(const DesignSetup& setup, const Genome& genome) {
 }
 
 double eq_11(const DesignSetup& setup, const Response& response) {
-    if (!setup.max_pressure)
-        return 1;
+    if (!setup.max_pressure) return 1;
     const double last = response.pressure[response.steps() - 1], factor = *setup.max_pressure / last;
     if (!std::isfinite(factor) || !(factor > 0))
         refuse("max-pressure: ", *setup.max_pressure, " MPa over the ", last,
@@ -124,11 +112,9 @@ DesignResponse design_response(const DesignSetup& setup, std::vector<Response> r
 }
 
 Loading up_to_full_contact(Loading loading, const Profile& profile, const Model& model) {
-    if (!may_pass_full_contact(loading, model.body))
-        return loading;
+    if (!may_pass_full_contact(loading, model.body)) return loading;
     if (loading.to_displacement > nearly_full * displacement_range(profile, model.body.kernel) ||
-        (loading.to_pressure &&
-         *loading.to_pressure > nearly_full * full_contact_load(profile, model.body))) {
+        (loading.to_pressure && *loading.to_pressure > nearly_full * full_contact_load(profile, model.body))) {
         loading.to_displacement.reset(), loading.to_pressure.reset();
         loading.reach = nearly_full;
     }
@@ -143,9 +129,9 @@ std::vector<Response> responses_of(const DesignSetup& setup, const Genome& genom
         loaded.loading = loading;
         if (may_pass_full_contact(loading, model.body))
             loaded.loading = up_to_full_contact(loading, sample(shape, model.grid), model);
-        responses.push_back(setup.smooth_area ? respond_smoothly(sample(shape, model.grid), model.body,
-                                                                 loaded.loading, model.contact)
-                                              : respond(shape, loaded));
+        responses.push_back(setup.smooth_area
+                                ? respond_smoothly(sample(shape, model.grid), model.body, loaded.loading, model.contact)
+                                : respond(shape, loaded));
     }
     return responses;
 }
@@ -169,9 +155,7 @@ std::vector<double> similarities(const DesignSetup& setup, const DesignResponse&
     return similarities(misfits_of(setup, response));
 }
 
-double min_similarity(const std::vector<Eigen::VectorXd>& misfits) {
-    return std::ranges::min(similarities(misfits));
-}
+double min_similarity(const std::vector<Eigen::VectorXd>& misfits) { return std::ranges::min(similarities(misfits)); }
 
 double similarity(const DesignSetup& setup, const DesignResponse& response) {
     return min_similarity(misfits_of(setup, response));
@@ -182,8 +166,7 @@ double similarity(const DesignSetup& setup, const Genome& genome, Index refine) 
 }
 
 Genome in_final_form(const DesignSetup& setup, Genome genome) {
-    if (setup.max_pressure)
-        genome.scale = respond(setup, genome, setup.model).scale;
+    if (setup.max_pressure) genome.scale = respond(setup, genome, setup.model).scale;
     return genome;
 }
 
@@ -197,8 +180,7 @@ Response every(Index part, Response response) {
 
 ga::Sensitivity stacked(const std::vector<ga::Sensitivity>& parts) {
     Index rows = 0;
-    for (const ga::Sensitivity& part : parts)
-        rows += part.residuals.size();
+    for (const ga::Sensitivity& part : parts) rows += part.residuals.size();
     ga::Sensitivity all{Eigen::VectorXd(rows), Eigen::MatrixXd(rows, parts.front().jacobian.cols())};
     for (Index at = 0; const ga::Sensitivity& part : parts) {
         all.residuals.segment(at, part.residuals.size()) = part.residuals;
@@ -224,8 +206,7 @@ Rows misfit_rows(const DesignSetup& setup, const Profile& profile, const std::ve
         auto [response, gradient, smooth_fraction] = respond_with_gradient(
             profile, model.body, up_to_full_contact(loadings[l], profile, model), model.contact, with_area);
         jacobians.push_back(in_genes(gradient, pull));
-        if (with_area)
-            response.contact_fraction = smooth_fraction;
+        if (with_area) response.contact_fraction = smooth_fraction;
         responses.push_back(std::move(response));
     }
     Rows result;

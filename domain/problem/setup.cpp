@@ -32,8 +32,7 @@ Index enough_nodes(const Profile& profile, const std::vector<Target>& targets) {
 void validate(const DesignSetup& setup) {
     const Grid& grid = setup.model.grid;
     const Index fewest = grid.is_2d() ? std::min(grid.nodes, grid.rows) : grid.nodes;
-    if (!setup.phases && fewest < 16)
-        refuse_value("nodes", fewest, " are too few for a design; give at least 16");
+    if (!setup.phases && fewest < 16) refuse_value("nodes", fewest, " are too few for a design; give at least 16");
     if (setup.model.accuracy > 0)
         refuse_value("accuracy", setup.model.accuracy, " does not apply to a design; omit it");
     if (grid.is_2d() && setup.model.body.kernel == Kernel::strip)
@@ -41,15 +40,13 @@ void validate(const DesignSetup& setup) {
     validate(setup.model);
     const double shortest = setup.limits.shortest_wave, spacing = grid.widest_spacing();
     if (!setup.phases && shortest < spacing)
-        refuse_value("shortest wave", shortest, " mm is below the node spacing; give at least ", spacing,
-                     " mm");
+        refuse_value("shortest wave", shortest, " mm is below the node spacing; give at least ", spacing, " mm");
     if (!setup.phases && shortest > setup.bounds.lambda_to)
-        refuse_value("shortest wave", shortest, " mm is above the longest wave; give at most ",
-                     setup.bounds.lambda_to, " mm");
+        refuse_value("shortest wave", shortest, " mm is above the longest wave; give at most ", setup.bounds.lambda_to,
+                     " mm");
     if (setup.errors.noise > 0 && !(setup.errors.noise_length > 0))
         refuse_value("noise-length", setup.errors.noise_length, " mm is not above 0; give a length");
-    if (setup.targets.empty())
-        throw InputError("target: none given; give at least one");
+    if (setup.targets.empty()) throw InputError("target: none given; give at least one");
     if (setup.max_pressure && !(*setup.max_pressure > 0))
         refuse("max-pressure: ", *setup.max_pressure, " MPa is not above 0; give a pressure");
     for (const Target& target : setup.targets) {
@@ -57,13 +54,11 @@ void validate(const DesignSetup& setup) {
         expect_recorded(target, setup.model);
         if (!(target.weight > 0) || target.weight > 1)
             refuse(target.name, ": weight ", target.weight, " is out of range (above 0, at most 1)");
-        if (setup.max_pressure && target.against_pressure() &&
-            target.last() > *setup.max_pressure * rounded_up)
+        if (setup.max_pressure && target.against_pressure() && target.last() > *setup.max_pressure * rounded_up)
             refuse(target.name, ": its pressures up to ", target.last(), " MPa exceed max-pressure, ",
                    *setup.max_pressure, " MPa; raise max-pressure");
         if (setup.max_pressure && !target.against_pressure())
-            refuse(target.name,
-                   ": is a curve against displacement, which Eq. 11 does not fix; omit max-pressure");
+            refuse(target.name, ": is a curve against displacement, which Eq. 11 does not fix; omit max-pressure");
     }
     for (const bool high : {false, true})
         if (setup.threshold && points_of_half(setup, high).empty())
@@ -76,8 +71,7 @@ std::vector<Index> points_of_half(const DesignSetup& setup, bool high) {
     const double threshold = setup.threshold.value_or(0.5 * target.last());
     std::vector<Index> points;
     for (Index k = 0; k < target.points(); ++k)
-        if (high ? target.x[k] >= threshold : target.x[k] <= threshold)
-            points.push_back(k);
+        if (high ? target.x[k] >= threshold : target.x[k] <= threshold) points.push_back(k);
     return points;
 }
 
@@ -101,12 +95,9 @@ DesignSetup design_like(const Profile& profile, Model model, const std::string& 
             target.lower = target.lower.cwiseMax((1 - max_band_share) * target.y);
             target.upper = target.upper.cwiseMin((1 + max_band_share) * target.y);
         }
-    if (!profile.is_2d())
-        model.grid.nodes = nodes ? *nodes : enough_nodes(profile, targets);
-    return {.model = std::move(model),
-            .targets = std::move(targets),
-            .max_pressure = max_pressure,
-            .measured = profile};
+    if (!profile.is_2d()) model.grid.nodes = nodes ? *nodes : enough_nodes(profile, targets);
+    return {
+        .model = std::move(model), .targets = std::move(targets), .max_pressure = max_pressure, .measured = profile};
 }
 
 const std::vector<std::string>& names_of_likeness() {
@@ -115,8 +106,7 @@ const std::vector<std::string>& names_of_likeness() {
 }
 
 std::vector<Quantity> likeness_named(const std::string& name) {
-    if (name == "both")
-        return {Quantity::stiffness, Quantity::area_at_pressure};
+    if (name == "both") return {Quantity::stiffness, Quantity::area_at_pressure};
     if (std::ranges::count(names_of_likeness(), name) == 0)
         refuse_value("quantity", "'", name, "' is unknown; use both, stiffness, area or interface_stiffness");
     return {quantity_named(name)};

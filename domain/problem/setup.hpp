@@ -70,10 +70,9 @@ DesignSetup as_reported(DesignSetup setup);
 /// The grid gets `nodes` nodes. The default is 512. For contact area it is the profile's number of nodes (512
 /// to 4096), or more if fewer than 32 nodes would touch at the first point. A map keeps its nodes.
 DesignSetup design_like(const Profile& profile, Model model, const std::string& name,
-                        const std::vector<Quantity>& quantities = {Quantity::stiffness,
-                                                                   Quantity::area_at_pressure},
-                        Index points = 20, std::optional<Index> nodes = {},
-                        Resolution resolution = Resolution::off, std::optional<double> max_pressure = {});
+                        const std::vector<Quantity>& quantities = {Quantity::stiffness, Quantity::area_at_pressure},
+                        Index points = 20, std::optional<Index> nodes = {}, Resolution resolution = Resolution::off,
+                        std::optional<double> max_pressure = {});
 
 /// The names of the quantities of a scan that a design can match: `both` (stiffness and contact area),
 /// `stiffness`, `area` and `interface_stiffness`.

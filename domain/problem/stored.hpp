@@ -41,15 +41,14 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PhaseReach, relative, absolute)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MakingLimits, shortest_wave, max_slope, max_height, min_radius)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Profile, heights, spacing, rows, row_spacing)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MakingErrors, noise, noise_length, tilt)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(DesignSetup, model, targets, max_pressure, threshold, bounds, phases,
-                                   limits, measured, required_similarity, ridges, smooth_area, errors)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(DesignSetup, model, targets, max_pressure, threshold, bounds, phases, limits,
+                                   measured, required_similarity, ridges, smooth_area, errors)
 /// @endcond
 
 /// A set-up without the names and records of its targets, which do not affect a result.
 template <class Setup>
 nlohmann::json description(Setup setup) {
-    for (Target& target : setup.targets)
-        target.name.clear(), target.recorded.clear();
+    for (Target& target : setup.targets) target.name.clear(), target.recorded.clear();
     return setup;
 }
 

@@ -16,19 +16,16 @@ constexpr double interpolation_accuracy = 2e-3;
 /// solved steps next to them; all other columns are linear.
 Response interpolated(Response response, const std::vector<char>& solved) {
     for (Index j = 0; j < response.steps(); ++j) {
-        if (solved[static_cast<std::size_t>(j)])
-            continue;
+        if (solved[static_cast<std::size_t>(j)]) continue;
         const Index a = j - (j + 1) % map_steps, b = a + map_steps;
         const auto& D = response.displacement;
         const double h = D[b] - D[a], t = (D[j] - D[a]) / h;
         for (auto* column : {&response.pressure, &response.contact_fraction, &response.kkt_residual})
             (*column)[j] = (1 - t) * (*column)[a] + t * (*column)[b];
         const double secant = (response.pressure[b] - response.pressure[a]) / h;
-        const double before = response.tangent_stiffness[a] - secant,
-                     after = response.tangent_stiffness[b] - secant;
+        const double before = response.tangent_stiffness[a] - secant, after = response.tangent_stiffness[b] - secant;
         response.pressure[j] += h * t * (1 - t) * ((1 - t) * before - t * after);
-        response.tangent_stiffness[j] =
-            (1 - t) * response.tangent_stiffness[a] + t * response.tangent_stiffness[b];
+        response.tangent_stiffness[j] = (1 - t) * response.tangent_stiffness[a] + t * response.tangent_stiffness[b];
     }
     return response;
 }
@@ -38,14 +35,12 @@ Response interpolated(Response response, const std::vector<char>& solved) {
 std::vector<char> steps_to_solve(const Response& all) {
     const Index count = all.steps();
     std::vector<char> solved(static_cast<std::size_t>(count), 1);
-    for (Index j = map_steps; j < count; ++j)
-        solved[static_cast<std::size_t>(j)] = (j + 1) % map_steps == 0;
+    for (Index j = map_steps; j < count; ++j) solved[static_cast<std::size_t>(j)] = (j + 1) % map_steps == 0;
     const Response read = interpolated(all, solved);
     for (Index a = map_steps - 1; a + map_steps < count; a += map_steps) {
         const double error = (read.pressure - all.pressure).segment(a + 1, map_steps).cwiseAbs().maxCoeff();
         const double step = (all.pressure[a + map_steps] - all.pressure[a]) / map_steps;
-        if (2 * error > interpolation_accuracy * step)
-            std::fill_n(solved.begin() + a + 1, map_steps, char{1});
+        if (2 * error > interpolation_accuracy * step) std::fill_n(solved.begin() + a + 1, map_steps, char{1});
     }
     return solved;
 }
@@ -57,8 +52,7 @@ DesignSetup with_measured(DesignSetup setup, const Response& response) {
         for (Index k = 0; k < target.points(); ++k) {
             const double y = curve.at(std::min(target.x[k], curve.to)), moved = y / target.y[k];
             target.y[k] = y;
-            if (target.has_band())
-                target.lower[k] *= moved, target.upper[k] *= moved;
+            if (target.has_band()) target.lower[k] *= moved, target.upper[k] *= moved;
         }
     }
     return setup;
@@ -88,8 +82,7 @@ Eigen::VectorXd with_neighbours(const Eigen::VectorXd& values) {
 
 Refinement verified_refinement(const Grid& grid) {
     constexpr Index large = 512;
-    if (!grid.is_2d())
-        return {4, 16};
+    if (!grid.is_2d()) return {4, 16};
     return {std::max(grid.nodes, grid.rows) >= large ? 2 : 4, map_steps};
 }
 
@@ -124,19 +117,16 @@ std::vector<Response> Verifier::on_fine_map(const Genome& genome,
         std::vector<std::size_t> solved;
         for (std::size_t j = 0; j < steps.size(); ++j) {
             steps[j].displacement = displacements[j];
-            if (to_solve[responses.size()][j])
-                solved.push_back(j);
+            if (to_solve[responses.size()][j]) solved.push_back(j);
         }
         // The number of runs does not depend on the number of threads, so the results do not either.
         constexpr std::size_t runs = 2;
         ga::parallel_for(runs, threads_, [&](std::size_t run) {
             const std::size_t from = run * solved.size() / runs, to = (run + 1) * solved.size() / runs;
             std::vector<double> at;
-            for (std::size_t k = from; k < to; ++k)
-                at.push_back(displacements[solved[k]]);
+            for (std::size_t k = from; k < to; ++k) at.push_back(displacements[solved[k]]);
             const ContactCurve curve = solve_contact(map, model.body, at, model.contact);
-            for (std::size_t k = from; k < to; ++k)
-                steps[solved[k]] = curve.steps[k - from];
+            for (std::size_t k = from; k < to; ++k) steps[solved[k]] = curve.steps[k - from];
         });
         responses.push_back(
             interpolated(response_of(steps, model.contact.solver, displacement_range(map, model.body.kernel),
@@ -150,11 +140,9 @@ void Verifier::verify(const Genome& genome, Verification& result) const {
     const bool is_map = setup_.model.grid.is_2d();
     using Values = std::vector<Eigen::VectorXd>; // of each target
     // The misfits in all steps, then in the set-up's, which are among them.
-    const auto misfits_in = [&](const std::vector<Response>& fine, std::size_t own_steps,
-                                std::size_t all_steps) {
+    const auto misfits_in = [&](const std::vector<Response>& fine, std::size_t own_steps, std::size_t all_steps) {
         std::vector<Response> found;
-        for (const Response& response : fine)
-            found.push_back(every(by_.steps, response));
+        for (const Response& response : fine) found.push_back(every(by_.steps, response));
         result.misfits[all_steps] = misfits_of(finer(), design_response(finer(), fine));
         result.misfits[own_steps] = misfits_of(setup_, design_response(setup_, found));
         return found;
@@ -175,20 +163,17 @@ void Verifier::verify(const Genome& genome, Verification& result) const {
         interpolation = values_in(finer(), std::move(read));
     }
     result.on_grid = misfits_in(coarse, 0, 2);
-    const std::vector<Response> fine =
-        is_map ? on_fine_map(genome, to_solve) : responses_of(finer(), genome, finest());
+    const std::vector<Response> fine = is_map ? on_fine_map(genome, to_solve) : responses_of(finer(), genome, finest());
     result.on_finer = misfits_in(fine, 1, 3);
     std::vector<Response> half;
-    for (const Response& response : fine)
-        half.push_back(every(2, response));
+    for (const Response& response : fine) half.push_back(every(2, response));
     const Values finest = values_in(finer(), fine), in_half = values_in(finer_setups().half, std::move(half));
     for (std::size_t t = 0; t < finest.size(); ++t) {
         const Target& target = finer().targets[t];
         Eigen::VectorXd error =
             with_neighbours((in_half[t] - finest[t]).cwiseAbs()) +
             with_neighbours((on_grid[t] - finest[t]).cwiseAbs()) / static_cast<double>(by_.nodes - 1);
-        if (is_map)
-            error += (interpolation[t] - on_grid[t]).cwiseAbs();
+        if (is_map) error += (interpolation[t] - on_grid[t]).cwiseAbs();
         const auto moved_by = [&](double side) {
             return misfit(target, (finest[t] + side * error).cwiseProduct(target.y).eval());
         };
@@ -203,8 +188,7 @@ Verification Verifier::of(const Genome& genome) const {
     try {
         verify(genome, result);
     } catch (const NotConverged&) {
-        if (!is_stopped(setup_.model.contact))
-            throw;
+        if (!is_stopped(setup_.model.contact)) throw;
     }
     const auto likeness = [&](std::size_t which) {
         return result.misfits[which].empty() ? std::numeric_limits<double>::quiet_NaN()
@@ -216,8 +200,7 @@ Verification Verifier::of(const Genome& genome) const {
     result.both = likeness(3);
     result.worst = result.misfits[3].empty() ? result.both : min_similarity(result.largest);
     result.seconds = clock.seconds();
-    if (!std::isnan(result.worst))
-        known_.keep(key_of(setup_, genome), result);
+    if (!std::isnan(result.worst)) known_.keep(key_of(setup_, genome), result);
     return result;
 }
 

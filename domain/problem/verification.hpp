@@ -45,8 +45,7 @@ template <class Value>
 class KeyedMemory {
   public:
     /// A memory of the `max_count` latest keys.
-    explicit KeyedMemory(std::size_t max_count = std::numeric_limits<std::size_t>::max())
-        : max_count_(max_count) {}
+    explicit KeyedMemory(std::size_t max_count = std::numeric_limits<std::size_t>::max()) : max_count_(max_count) {}
 
     /// The value of a key, or nothing.
     std::optional<Value> find(const std::string& key) const {
@@ -58,8 +57,7 @@ class KeyedMemory {
     void keep(const std::string& key, const Value& value) {
         const std::lock_guard lock(guard_);
         const auto [place, is_new] = known_.emplace(key, value);
-        if (is_new)
-            order_.push_back(place);
+        if (is_new) order_.push_back(place);
         if (order_.size() > max_count_) {
             known_.erase(order_.front());
             order_.pop_front();
@@ -93,9 +91,7 @@ class Verifier {
     /// and responses are empty. Otherwise throws what respond() throws.
     Verification of(const Genome& genome) const;
     /// A genome's verification among the last 32 complete ones, or nothing.
-    std::optional<Verification> known(const Genome& genome) const {
-        return known_.find(key_of(setup_, genome));
-    }
+    std::optional<Verification> known(const Genome& genome) const { return known_.find(key_of(setup_, genome)); }
     const DesignSetup& setup() const { return setup_; } ///< the set-up that was given
     /// The model on the finer grid in the finer load steps.
     Model finest() const { return refined(finer().model, by_.nodes); }
@@ -110,8 +106,7 @@ class Verifier {
     };
     const Finer& finer_setups() const;
     void verify(const Genome& genome, Verification& result) const;
-    std::vector<Response> on_fine_map(const Genome& genome,
-                                      const std::vector<std::vector<char>>& to_solve) const;
+    std::vector<Response> on_fine_map(const Genome& genome, const std::vector<std::vector<char>>& to_solve) const;
 
     DesignSetup setup_;
     Refinement by_;

@@ -39,14 +39,11 @@ Eigen::VectorXd without_arc(const Profile& profile) {
             slopes.row(i) << 1, -(w * std::sin(of[1]) + x[i] * std::cos(of[1])) / by_w,
                 -(x[i] * x[i] + w * w) / 2 / by_w;
         }
-        if (!rest.allFinite())
-            refuse("detrend: no arc of a circle fits the heights; use parabola or another form");
+        if (!rest.allFinite()) refuse("detrend: no arc of a circle fits the heights; use parabola or another form");
         const Eigen::Vector3d scale(1, half, half * half);
-        const Eigen::Vector3d change =
-            (slopes * scale.cwiseInverse().asDiagonal()).colPivHouseholderQr().solve(rest);
+        const Eigen::Vector3d change = (slopes * scale.cwiseInverse().asDiagonal()).colPivHouseholderQr().solve(rest);
         of += change.cwiseQuotient(scale);
-        if (change.cwiseAbs().maxCoeff() <= 1e-14 * (of.cwiseProduct(scale)).cwiseAbs().maxCoeff())
-            break;
+        if (change.cwiseAbs().maxCoeff() <= 1e-14 * (of.cwiseProduct(scale)).cwiseAbs().maxCoeff()) break;
     }
     return rest;
 }
@@ -57,10 +54,8 @@ std::vector<Eigen::VectorXd> orthogonal_polynomials(Index nodes, Index degree) {
     std::vector<Eigen::VectorXd> basis{Eigen::VectorXd::Ones(nodes)};
     for (Index power = 1; power <= degree && power < nodes; ++power) {
         Eigen::VectorXd next = basis.back().array() * t;
-        for (const Eigen::VectorXd& one : basis)
-            next -= one * (one.dot(next) / one.squaredNorm());
-        if (!(next.squaredNorm() > 0))
-            break;
+        for (const Eigen::VectorXd& one : basis) next -= one * (one.dot(next) / one.squaredNorm());
+        if (!(next.squaredNorm() > 0)) break;
         basis.push_back(std::move(next));
     }
     return basis;
@@ -69,27 +64,24 @@ std::vector<Eigen::VectorXd> orthogonal_polynomials(Index nodes, Index degree) {
 } // namespace
 
 const std::vector<std::string>& detrend_names() {
-    static const std::vector<std::string> names{"none",  "mean",    "line", "parabola",
-                                                "cubic", "quartic", "arc"};
+    static const std::vector<std::string> names{"none", "mean", "line", "parabola", "cubic", "quartic", "arc"};
     return names;
 }
 
 const std::string& name_of(Detrend form) { return detrend_names()[static_cast<std::size_t>(form)]; }
 
 Eigen::VectorXd detrended(const Profile& profile, Detrend form) {
-    if (form == Detrend::none)
-        return profile.heights;
+    if (form == Detrend::none) return profile.heights;
     if (form == Detrend::arc && profile.is_2d())
         refuse("detrend: an arc does not fit a map; use none, mean, line, parabola, cubic or quartic");
-    if (form == Detrend::arc)
-        return without_arc(profile);
+    if (form == Detrend::arc) return without_arc(profile);
     // Products of polynomials along x and y are orthogonal on a grid.
     const auto [columns, rows] = profile.shape();
     const Index degree = static_cast<Index>(form) - 1;
     const auto along_x = orthogonal_polynomials(columns, degree),
                along_y = orthogonal_polynomials(rows, profile.is_2d() ? degree : 0);
-    Eigen::MatrixXd rest = Eigen::Map<const Eigen::MatrixXd>(profile.heights.data(), columns, rows).array() -
-                           profile.heights.mean();
+    Eigen::MatrixXd rest =
+        Eigen::Map<const Eigen::MatrixXd>(profile.heights.data(), columns, rows).array() - profile.heights.mean();
     for (std::size_t a = 0; a < along_x.size(); ++a)
         for (std::size_t b = 0; b < along_y.size() && a + b <= static_cast<std::size_t>(degree); ++b)
             if (a + b > 0) {
@@ -114,8 +106,7 @@ class LineFilter {
   public:
     LineFilter(Index nodes, double spacing, double cut_off) : nodes_(nodes) {
         reach_ = static_cast<Index>(std::min(std::floor(cut_off / spacing), static_cast<double>(nodes - 1)));
-        if (reach_ == 0)
-            return;
+        if (reach_ == 0) return;
         const Eigen::ArrayXd t = Eigen::ArrayXd::LinSpaced(2 * reach_ + 1, -1, 1); // x over reach * spacing
         const double share = static_cast<double>(reach_) * spacing / cut_off;
         const Eigen::ArrayXd weight = (-std::pow(M_PI * share, 2) / std::log(2.0) * t.square()).exp();
@@ -132,8 +123,7 @@ class LineFilter {
     }
 
     Eigen::VectorXd operator()(const Eigen::VectorXd& line) const {
-        if (reach_ == 0)
-            return line;
+        if (reach_ == 0) return line;
         const double mean = line.mean();
         const Eigen::ArrayXcd heights = transformed(line.array() - mean, length_);
         // sum_t weight_t z_(i+t) for each node i, t = -reach .. reach
@@ -144,10 +134,8 @@ class LineFilter {
         const Eigen::ArrayXd t0 = correlated(weight_), t1 = correlated(moment_);
         Eigen::VectorXd result(nodes_);
         for (Index i = 0; i < nodes_; ++i) {
-            const Index first = std::max<Index>(reach_ - i, 0),
-                        past = std::min(reach_ + nodes_ - i, 2 * reach_ + 1);
-            const double m0 = s0_[past] - s0_[first], m1 = s1_[past] - s1_[first],
-                         m2 = s2_[past] - s2_[first];
+            const Index first = std::max<Index>(reach_ - i, 0), past = std::min(reach_ + nodes_ - i, 2 * reach_ + 1);
+            const double m0 = s0_[past] - s0_[first], m1 = s1_[past] - s1_[first], m2 = s2_[past] - s2_[first];
             result[i] = mean + (t0[i] * m2 - t1[i] * m1) / (m0 * m2 - m1 * m1);
         }
         return result;
@@ -162,17 +150,14 @@ class LineFilter {
 } // namespace
 
 Eigen::VectorXd low_passed(const Profile& profile, double cut_off) {
-    if (!(cut_off > 0))
-        refuse("filter: the cut-off ", cut_off, " mm is out of range (above 0)");
+    if (!(cut_off > 0)) refuse("filter: the cut-off ", cut_off, " mm is out of range (above 0)");
     const auto [columns, rows] = profile.shape();
     Eigen::MatrixXd z = profile.heights.reshaped(columns, rows);
     const LineFilter along_x(columns, profile.spacing, cut_off);
-    for (Index j = 0; j < rows; ++j)
-        z.col(j) = along_x(z.col(j));
+    for (Index j = 0; j < rows; ++j) z.col(j) = along_x(z.col(j));
     if (profile.is_2d()) {
         const LineFilter along_y(rows, profile.row_spacing, cut_off);
-        for (Index i = 0; i < columns; ++i)
-            z.row(i) = along_y(z.row(i).transpose()).transpose();
+        for (Index i = 0; i < columns; ++i) z.row(i) = along_y(z.row(i).transpose()).transpose();
     }
     return z.reshaped();
 }
@@ -198,23 +183,19 @@ struct Predicted {
 };
 /// Predicts a node's height from its left (`step` -1) or right (1). The outermost `min_aside` nodes are
 /// tested otherwise, so that either side has nodes that predict.
-Predicted predicted(const Eigen::VectorXd& heights, Index node, Index step,
-                    const std::vector<bool>& is_outlier) {
+Predicted predicted(const Eigen::VectorXd& heights, Index node, Index step, const std::vector<bool>& is_outlier) {
     std::array<double, side> z, line, distance;
     std::array<double, side*(side - 1) / 2> slopes;
     auto slope = slopes.begin();
     std::size_t count = 0;
     for (Index at = node + step; at >= 0 && at < heights.size() && count < side; at += step) {
-        if (is_outlier[static_cast<std::size_t>(at)])
-            continue;
+        if (is_outlier[static_cast<std::size_t>(at)]) continue;
         z[count] = heights[at], distance[count] = static_cast<double>(std::abs(at - node));
-        for (std::size_t j = 0; j < count; ++j)
-            *slope++ = (z[count] - z[j]) / (distance[count] - distance[j]);
+        for (std::size_t j = 0; j < count; ++j) *slope++ = (z[count] - z[j]) / (distance[count] - distance[j]);
         ++count;
     }
     const double steepness = middle(slopes.begin(), slope);
-    for (std::size_t i = 0; i < count; ++i)
-        line[i] = z[i] - steepness * distance[i];
+    for (std::size_t i = 0; i < count; ++i) line[i] = z[i] - steepness * distance[i];
     const auto end = static_cast<std::ptrdiff_t>(count);
     return {middle(z.begin(), z.begin() + end), middle(line.begin(), line.begin() + end)};
 }
@@ -237,8 +218,7 @@ double digital_step(const Eigen::VectorXd& heights) {
     const auto least = static_cast<Index>(std::ceil(least_share * static_cast<double>(n)));
     for (Index k = n - least; k >= least; --k)
         if (bends[k] > gap * bends[k - 1]) {
-            const Index past =
-                std::upper_bound(bends.begin() + k, bends.end(), 1.5 * bends[k]) - bends.begin();
+            const Index past = std::upper_bound(bends.begin() + k, bends.end(), 1.5 * bends[k]) - bends.begin();
             const double step = bends.segment(k, past - k).mean();
             const Eigen::ArrayXd levels = bends.tail(n - k).array() / step;
             return (levels > 1 / near || (levels - levels.round()).abs() <= near).all() ? step : 0;
@@ -250,14 +230,12 @@ double digital_step(const Eigen::VectorXd& heights) {
 
 std::vector<Index> outliers(const Eigen::VectorXd& heights) {
     const Index nodes = heights.size();
-    if (nodes < min_profile_nodes)
-        return {};
+    if (nodes < min_profile_nodes) return {};
     const Eigen::VectorXd steps = (heights.tail(nodes - 1) - heights.head(nodes - 1)).cwiseAbs();
     Eigen::VectorXd in_order = steps;
-    const double usual = middle(in_order.begin(), in_order.end()),
-                 range = heights.maxCoeff() - heights.minCoeff();
-    const double resolved = std::max((steps.array() > 1e-9 * range).select(steps.array(), range).minCoeff(),
-                                     digital_step(heights));
+    const double usual = middle(in_order.begin(), in_order.end()), range = heights.maxCoeff() - heights.minCoeff();
+    const double resolved =
+        std::max((steps.array() > 1e-9 * range).select(steps.array(), range).minCoeff(), digital_step(heights));
 
     std::vector<bool> is_outlier(static_cast<std::size_t>(nodes), false);
     // 1 if the node stands out above its neighbours, -1 below, else 0. Flanks are compared only with the
@@ -265,8 +243,7 @@ std::vector<Index> outliers(const Eigen::VectorXd& heights) {
     const auto stands_out = [&](Index i, bool is_flank) {
         const auto left = predicted(heights, i, -1, is_outlier), right = predicted(heights, i, 1, is_outlier);
         auto [lowest, highest] = std::minmax({left.line, right.line});
-        if (!is_flank)
-            std::tie(lowest, highest) = std::minmax({lowest, highest, left.median, right.median});
+        if (!is_flank) std::tie(lowest, highest) = std::minmax({lowest, highest, left.median, right.median});
         const double beyond = std::max(heights[i] - highest, lowest - heights[i]),
                      times = is_flank ? flank_steps : particle_steps;
         if (beyond > times * usual && beyond > 3 * resolved && beyond > times * usual_step(steps, i))
@@ -275,17 +252,14 @@ std::vector<Index> outliers(const Eigen::VectorXd& heights) {
     };
     std::vector<std::pair<Index, int>> inner;
     for (Index i = min_aside; i < nodes - min_aside; ++i)
-        if (const int side = stands_out(i, false))
-            inner.emplace_back(i, side);
+        if (const int side = stands_out(i, false)) inner.emplace_back(i, side);
     // A particle's outer nodes and flanks look like a step as long as its inner nodes predict their heights.
-    for (const auto& [node, side] : inner)
-        is_outlier[static_cast<std::size_t>(node)] = true;
+    for (const auto& [node, side] : inner) is_outlier[static_cast<std::size_t>(node)] = true;
     for (const auto& [node, side] : inner)
         for (const Index step : {-1, 1})
             for (Index i = node + step; i >= min_aside && i < nodes - min_aside; i += step)
                 if (!is_outlier[static_cast<std::size_t>(i)]) {
-                    if (stands_out(i, true) != side)
-                        break;
+                    if (stands_out(i, true) != side) break;
                     is_outlier[static_cast<std::size_t>(i)] = true;
                 }
     // A node at an end has few neighbours on one side. It is an outlier if it is as far from all other
@@ -309,16 +283,13 @@ std::vector<Index> outliers(const Eigen::VectorXd& heights) {
 Eigen::VectorXd interpolated(Eigen::VectorXd heights, const std::vector<Index>& nodes) {
     for (std::size_t at = 0; at < nodes.size();) {
         std::size_t end = at + 1; // after a run of nodes
-        while (end < nodes.size() && nodes[end] == nodes[end - 1] + 1)
-            ++end;
+        while (end < nodes.size() && nodes[end] == nodes[end - 1] + 1) ++end;
         const Index left = nodes[at] - 1, right = nodes[end - 1] + 1;
-        if (left < 0 && right == heights.size())
-            break;
-        const double from = heights[left < 0 ? right : left],
-                     to = heights[right == heights.size() ? left : right];
+        if (left < 0 && right == heights.size()) break;
+        const double from = heights[left < 0 ? right : left], to = heights[right == heights.size() ? left : right];
         for (; at < end; ++at)
-            heights[nodes[at]] = from + (to - from) * static_cast<double>(nodes[at] - left) /
-                                            static_cast<double>(right - left);
+            heights[nodes[at]] =
+                from + (to - from) * static_cast<double>(nodes[at] - left) / static_cast<double>(right - left);
     }
     return heights;
 }
@@ -326,14 +297,11 @@ Eigen::VectorXd interpolated(Eigen::VectorXd heights, const std::vector<Index>& 
 MissingPoints missing_points(const Profile& surface) {
     MissingPoints missing;
     for (Index i = 0; i < surface.nodes(); ++i)
-        if (std::isnan(surface.heights[i]))
-            missing.nodes.push_back(i);
-    if (missing.nodes.empty())
-        return missing;
+        if (std::isnan(surface.heights[i])) missing.nodes.push_back(i);
+    if (missing.nodes.empty()) return missing;
     missing.share = static_cast<double>(missing.nodes.size()) / static_cast<double>(surface.nodes());
     const Index largest = group_sizes(missing.nodes, surface.shape(), false).front();
-    missing.largest_hole =
-        static_cast<double>(largest) * surface.spacing * (surface.is_2d() ? surface.row_spacing : 1);
+    missing.largest_hole = static_cast<double>(largest) * surface.spacing * (surface.is_2d() ? surface.row_spacing : 1);
     return missing;
 }
 
@@ -343,8 +311,7 @@ namespace {
 void continue_into(Eigen::VectorXd& heights, const MissingPoints& missing, const Profile& map) {
     const auto count = static_cast<Index>(missing.nodes.size());
     std::vector<Index> unknown(static_cast<std::size_t>(map.nodes()), -1);
-    for (Index k = 0; k < count; ++k)
-        unknown[static_cast<std::size_t>(missing.nodes[static_cast<std::size_t>(k)])] = k;
+    for (Index k = 0; k < count; ++k) unknown[static_cast<std::size_t>(missing.nodes[static_cast<std::size_t>(k)])] = k;
     const double across = std::pow(map.spacing / map.row_spacing, 2); // weight; along x it is 1
     std::vector<Eigen::Triplet<double>> entries;
     Eigen::VectorXd known = Eigen::VectorXd::Zero(count);
@@ -379,8 +346,7 @@ void expect_fillable(const MissingPoints& missing, double max_share, bool is_2d,
 }
 
 Profile filled(Profile surface, const MissingPoints& missing, double max_share) {
-    if (!missing)
-        return surface;
+    if (!missing) return surface;
     expect_fillable(missing, max_share, surface.is_2d());
     if (!surface.is_2d()) {
         surface.heights = interpolated(std::move(surface.heights), missing.nodes);
@@ -400,11 +366,9 @@ Profile filled(Profile surface, const MissingPoints& missing, double max_share) 
         }
     const Eigen::Vector3d plane = moments.completeOrthogonalDecomposition().solve(sums);
     Eigen::VectorXd rest(surface.nodes());
-    for (Index i = 0; i < surface.nodes(); ++i)
-        rest[i] = surface.heights[i] - plane.dot(powers(i));
+    for (Index i = 0; i < surface.nodes(); ++i) rest[i] = surface.heights[i] - plane.dot(powers(i));
     continue_into(rest, missing, surface);
-    for (const Index node : missing.nodes)
-        surface.heights[node] = rest[node] + plane.dot(powers(node));
+    for (const Index node : missing.nodes) surface.heights[node] = rest[node] + plane.dot(powers(node));
     return surface;
 }
 

@@ -58,8 +58,7 @@ MissingPoints missing_points(const Profile& surface);
 Profile filled(Profile surface, const MissingPoints& missing, double max_share = 1);
 
 /// Throws InputError, beginning with `where`, if all points are missing or a share above `max_share`.
-void expect_fillable(const MissingPoints& missing, double max_share, bool is_2d,
-                     const std::string& where = "surface");
+void expect_fillable(const MissingPoints& missing, double max_share, bool is_2d, const std::string& where = "surface");
 
 /// "12 missing points (1.2 %), largest hole 0.5 mm²", on a line in mm.
 std::string in_words(const MissingPoints& missing, bool is_2d);

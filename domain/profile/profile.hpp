@@ -11,9 +11,9 @@ namespace rough {
 /// heights row after row, at y_j = j * row_spacing. Lengths are in mm.
 struct Profile {
     Eigen::VectorXd heights; ///< heights Z_i of all N nodes, mm
-    double spacing = 0; ///< node spacing delta, mm: L/(N-1) for a line that is not periodic, otherwise L/N
-    Index rows = 1;     ///< number of rows N_y, of which N is a multiple
-    double row_spacing = 0; ///< spacing delta_y of the rows, mm; 0: a line
+    double spacing = 0;      ///< node spacing delta, mm: L/(N-1) for a line that is not periodic, otherwise L/N
+    Index rows = 1;          ///< number of rows N_y, of which N is a multiple
+    double row_spacing = 0;  ///< spacing delta_y of the rows, mm; 0: a line
 
     Index nodes() const { return heights.size(); }                 ///< number of nodes N
     bool is_2d() const { return row_spacing > 0; }                 ///< whether it is a map

@@ -23,8 +23,7 @@ constexpr std::array<double, 7> second{2, -27, 270, -490, 270, -27, 2}; // divid
 /// polynomials up to degree 6. It is computed at nodes three or more from every end.
 Eigen::ArrayXXd derivative(const Eigen::ArrayXXd& z, bool along_y, const std::array<double, 7>& weights,
                            double divisor) {
-    const Index across = z.cols() > 1 ? reach : 0, columns = z.rows() - 2 * reach,
-                rows = z.cols() - 2 * across;
+    const Index across = z.cols() > 1 ? reach : 0, columns = z.rows() - 2 * reach, rows = z.cols() - 2 * across;
     Eigen::ArrayXXd sum = Eigen::ArrayXXd::Zero(columns, rows);
     for (Index k = 0; k <= 2 * reach; ++k)
         sum += weights[static_cast<std::size_t>(k)] / divisor *
@@ -41,8 +40,7 @@ Profile evaluated(const Profile& profile, double section_length, Roughness& r) {
         refuse("roughness: a profile of ", length, " mm is shorter than a section of ", section_length,
                " mm; use shorter sections");
     if (!(2 * sections <= static_cast<double>(profile.nodes())))
-        refuse("roughness: sections of ", section_length,
-               " mm have fewer than two nodes each; use longer sections");
+        refuse("roughness: sections of ", section_length, " mm have fewer than two nodes each; use longer sections");
     r.sections = static_cast<Index>(sections);
     const Index nodes =
         std::min<Index>(profile.nodes(), std::lround(sections * r.section_length / profile.spacing) + 1);
@@ -65,8 +63,7 @@ std::vector<Stretch> stretches(const Eigen::VectorXd& z) {
     double crossed = 0;
     int side = 0; // 1 after a hill, -1 after a dale
     for (Index i = 0; i < z.size(); ++i) {
-        if (i > 0 && (z[i] > 0) != (z[i - 1] > 0))
-            crossed = static_cast<double>(i - 1) + z[i - 1] / (z[i - 1] - z[i]);
+        if (i > 0 && (z[i] > 0) != (z[i - 1] > 0)) crossed = static_cast<double>(i - 1) + z[i - 1] / (z[i - 1] - z[i]);
         const int now = z[i] > hill ? 1 : z[i] < dale ? -1 : 0;
         if (now != 0 && now != side) {
             found.push_back({crossed, z[i]});
@@ -97,8 +94,7 @@ ProfileElements profile_elements(const Profile& profile) {
             ++count;
         }
     }
-    if (count == 0)
-        count = std::numeric_limits<double>::quiet_NaN();
+    if (count == 0) count = std::numeric_limits<double>::quiet_NaN();
     return {all.RSm / count, all.Rc / count};
 }
 
@@ -114,11 +110,9 @@ void add_core(std::vector<SurfaceParameter>& rows, const std::string& kind, cons
     Index first = 0;
     const double range = z[0] - z[n - 1];
     for (Index i = 1; i + window <= n; ++i)
-        if (z[i] - z[i + window - 1] < z[first] - z[first + window - 1] - 1e-12 * range)
-            first = i;
+        if (z[i] - z[i + window - 1] < z[first] - z[first + window - 1] - 1e-12 * range) first = i;
     const Eigen::VectorXd core = z.segment(first, window);
-    const Eigen::ArrayXd t =
-        Eigen::ArrayXd::LinSpaced(window, -1, 1) * (static_cast<double>(window - 1) / 2 / count);
+    const Eigen::ArrayXd t = Eigen::ArrayXd::LinSpaced(window, -1, 1) * (static_cast<double>(window - 1) / 2 / count);
     const double slope = (t * core.array()).sum() / t.square().sum(); // per unit of share, <= 0
     const double middle = (static_cast<double>(first) + static_cast<double>(window) / 2) / count;
     const double upper = core.mean() - slope * middle, lower = upper + slope;
@@ -126,20 +120,17 @@ void add_core(std::vector<SurfaceParameter>& rows, const std::string& kind, cons
     // Share of material at which the curve, straight between its nodes, crosses a level.
     const auto crossing = [&](double level) {
         const Index above = std::lower_bound(z.begin(), z.end(), level, std::greater<>()) - z.begin();
-        if (above == 0 || above == n)
-            return static_cast<double>(above) / count;
+        if (above == 0 || above == n) return static_cast<double>(above) / count;
         const double part = (z[above - 1] - level) / (z[above - 1] - z[above]);
         return (static_cast<double>(above) - 0.5 + part) / count;
     };
     const double Mr1 = crossing(upper), Mr2 = crossing(lower);
-    const double peaks = (z.array() - upper).max(0).sum() / count,
-                 valleys = (lower - z.array()).max(0).sum() / count;
-    rows.insert(rows.end(),
-                {{kind + "k", "mm", "core height", upper - lower},
-                 {kind + "pk", "mm", "reduced peak height", Mr1 > 0 ? 2 * peaks / Mr1 : 0},
-                 {kind + "vk", "mm", "reduced valley depth", Mr2 < 1 ? 2 * valleys / (1 - Mr2) : 0},
-                 {kind + "mrk1", "", "material ratio above the core", Mr1},
-                 {kind + "mrk2", "", "material ratio above the valleys", Mr2}});
+    const double peaks = (z.array() - upper).max(0).sum() / count, valleys = (lower - z.array()).max(0).sum() / count;
+    rows.insert(rows.end(), {{kind + "k", "mm", "core height", upper - lower},
+                             {kind + "pk", "mm", "reduced peak height", Mr1 > 0 ? 2 * peaks / Mr1 : 0},
+                             {kind + "vk", "mm", "reduced valley depth", Mr2 < 1 ? 2 * valleys / (1 - Mr2) : 0},
+                             {kind + "mrk1", "", "material ratio above the core", Mr1},
+                             {kind + "mrk2", "", "material ratio above the valleys", Mr2}});
 }
 
 } // namespace
@@ -157,15 +148,13 @@ std::string SurfaceParameter::key() const {
 
 double SurfaceParameters::operator[](std::string_view name) const {
     const auto found = std::ranges::find(rows, name, &SurfaceParameter::name);
-    if (found == rows.end())
-        refuse("surface parameter: ", name, " is not known; use a name of this table");
+    if (found == rows.end()) refuse("surface parameter: ", name, " is not known; use a name of this table");
     return found->value;
 }
 
 double material_ratio(const Profile& profile, double level) {
     const Eigen::VectorXd& z = profile.heights;
-    if (profile.is_2d())
-        return (z.array() > level).cast<double>().mean();
+    if (profile.is_2d()) return (z.array() > level).cast<double>().mean();
     double sum = 0;
     for (Index i = 1; i < z.size(); ++i) {
         const double low = std::min(z[i], z[i - 1]), high = std::max(z[i], z[i - 1]);
@@ -198,8 +187,7 @@ Roughness roughness(const Profile& profile, double section_length) {
     }
     const ProfileElements elements = profile_elements(part);
     const double dx = part.spacing, m2 = derivative(z, false, first, 60 * dx).square().mean(),
-                 m4 = derivative(z, false, second, 180 * dx * dx).square().mean(),
-                 bandwidth = m0 * m4 / (m2 * m2);
+                 m4 = derivative(z, false, second, 180 * dx * dx).square().mean(), bandwidth = m0 * m4 / (m2 * m2);
     const double Rsk = z.cube().mean() / (Rq * m0), Rku = z.square().square().mean() / (m0 * m0);
     if (!std::isfinite(Rsk + Rku + m2 + m4 + bandwidth))
         throw InputError(
@@ -219,14 +207,12 @@ Roughness roughness(const Profile& profile, double section_length) {
               {"Rmr", "", "material ratio at the mean line", material_ratio(part, 0)}};
     add_core(r.rows, "R", heights);
     if (!(section_length > 0))
-        for (SurfaceParameter& row : r.rows)
-            row.name[0] = 'P';
-    r.rows.insert(r.rows.end(),
-                  {{"rms curvature", "1/mm", "root mean square second derivative", std::sqrt(m4)},
-                   {"m0", "mm²", "spectral moments, from the nodes", m0},
-                   {"m2", "", "", m2},
-                   {"m4", "1/mm²", "", m4},
-                   {"bandwidth", "", "Nayak's alpha, m0 m4/m2²", bandwidth}});
+        for (SurfaceParameter& row : r.rows) row.name[0] = 'P';
+    r.rows.insert(r.rows.end(), {{"rms curvature", "1/mm", "root mean square second derivative", std::sqrt(m4)},
+                                 {"m0", "mm²", "spectral moments, from the nodes", m0},
+                                 {"m2", "", "", m2},
+                                 {"m4", "1/mm²", "", m4},
+                                 {"bandwidth", "", "Nayak's alpha, m0 m4/m2²", bandwidth}});
     return r;
 }
 
@@ -240,16 +226,14 @@ constexpr double decayed = 0.2; ///< ISO 25178-3's default
 class Autocorrelation {
   public:
     Autocorrelation(const Profile& map, bool periodic)
-        : columns_(map.shape().columns / 2), rows_(map.shape().rows / 2),
-          values_(columns_ + 1, 2 * rows_ + 1) {
+        : columns_(map.shape().columns / 2), rows_(map.shape().rows / 2), values_(columns_ + 1, 2 * rows_ + 1) {
         const auto [columns, rows] = map.shape();
         const Extent padded =
-            periodic ? map.shape()
-                     : Extent{fast_fourier_length(columns + columns_), fast_fourier_length(rows + rows_)};
+            periodic ? map.shape() : Extent{fast_fourier_length(columns + columns_), fast_fourier_length(rows + rows_)};
         Eigen::ArrayXXd z = Eigen::ArrayXXd::Zero(padded.columns, padded.rows);
         z.topLeftCorner(columns, rows) = map.heights.reshaped(columns, rows).array() - map.heights.mean();
-        const Eigen::ArrayXXd sums = inverse_fourier_transform(
-            fourier_transform(z).abs2().cast<std::complex<double>>(), padded.columns);
+        const Eigen::ArrayXXd sums =
+            inverse_fourier_transform(fourier_transform(z).abs2().cast<std::complex<double>>(), padded.columns);
         const auto overlap = [&](Index nodes, Index lag) {
             return periodic ? 1 : 1 - static_cast<double>(lag) / static_cast<double>(nodes);
         };
@@ -261,8 +245,7 @@ class Autocorrelation {
 
     /// Value at a lag in nodes, |x| and |y| up to half of the sides; linear in between.
     double at(double x, double y) const {
-        if (x < 0)
-            x = -x, y = -y;
+        if (x < 0) x = -x, y = -y;
         y += static_cast<double>(rows_);
         const Index i = std::min<Index>(static_cast<Index>(x), columns_ - 1),
                     j = std::clamp<Index>(static_cast<Index>(y), 0, 2 * rows_ - 1);
@@ -280,8 +263,7 @@ class Autocorrelation {
         double before = 1;
         for (double r = step; r < edge; r += step) {
             const double now = at(r * x, r * y);
-            if (now <= decayed)
-                return r - step * (decayed - now) / (before - now);
+            if (now <= decayed) return r - step * (decayed - now) / (before - now);
             before = now;
         }
         return -edge;
@@ -302,14 +284,11 @@ double lay(const Profile& map, bool periodic) {
     const double negligible = 1e-14 * powers.sum();
     for (Index j = 0; j < rows; ++j)
         for (Index i = 0; i < powers.rows(); ++i) {
-            const double x = dx * static_cast<double>(i),
-                         y = dy * static_cast<double>(2 * j > rows ? j - rows : j);
-            if ((x == 0 && y == 0) || powers(i, j) <= negligible)
-                continue;
+            const double x = dx * static_cast<double>(i), y = dy * static_cast<double>(2 * j > rows ? j - rows : j);
+            if ((x == 0 && y == 0) || powers(i, j) <= negligible) continue;
             const double across = (std::atan2(y, x) + pi / 2) * directions / pi, // degrees
                 reach = std::clamp(std::max(dx, dy) / std::hypot(x, y) * directions / pi, 1.0, 90.0);
-            for (Index k = std::lround(std::ceil(across - reach));
-                 k <= std::lround(std::floor(across + reach)); ++k)
+            for (Index k = std::lround(std::ceil(across - reach)); k <= std::lround(std::floor(across + reach)); ++k)
                 angular[(k + 2 * directions) % directions] +=
                     powers(i, j) / reach * (1 + std::cos(pi * (static_cast<double>(k) - across) / reach));
         }
@@ -349,8 +328,7 @@ Texture texture(const Profile& map, bool periodic) {
     double fastest = std::numeric_limits<double>::quiet_NaN(), slowest = 0;
     for (int k = 0; k < directions; ++k) {
         const double length = correlation.decay_length(pi * k / directions, map.spacing, map.row_spacing);
-        if (length > 0)
-            fastest = std::fmin(fastest, length); // the number if one of both is NaN
+        if (length > 0) fastest = std::fmin(fastest, length); // the number if one of both is NaN
         if (std::abs(length) > slowest) {
             slowest = std::abs(length);
             result.Str_is_bound = length < 0;
@@ -381,22 +359,21 @@ ArealParameters areal_parameters(const Profile& map, bool periodic) {
     const Texture t = texture(about, periodic);
     ArealParameters s;
     s.Str_is_bound = t.Str_is_bound;
-    s.rows = {
-        {"Sa", "mm", "arithmetic mean height", z.abs().mean()},
-        {"Sq", "mm", "root mean square height", Sq},
-        {"Ssk", "", "skewness", (z / Sq).cube().mean()},
-        {"Sku", "", "kurtosis", (z / Sq).square().square().mean()},
-        {"Sp", "mm", "highest peak", Sp},
-        {"Sv", "mm", "deepest pit", Sv},
-        {"Sz", "mm", "maximum height", Sp + Sv},
-        {"Sdq", "", "root mean square gradient", std::sqrt(squares.mean())},
-        {"Sdr", "", "area of the surface (triangles) over the map's, less 1", developed_area(map, periodic)},
-        {"Sal", "mm", "autocorrelation length, to 0.2", t.Sal},
-        {"Str", "",
-         t.Str_is_bound ? "texture aspect ratio, at most" : "texture aspect ratio: 0 one lay, 1 none", t.Str},
-        {"Std", "°", "direction of the lay, from x", t.Std},
-        {"Smr", "", "material ratio at the mean plane", material_ratio(about, 0)},
-        {"Smc10", "mm", "height that a tenth of the area exceeds", material_height(about.heights, 0.1)}};
+    s.rows = {{"Sa", "mm", "arithmetic mean height", z.abs().mean()},
+              {"Sq", "mm", "root mean square height", Sq},
+              {"Ssk", "", "skewness", (z / Sq).cube().mean()},
+              {"Sku", "", "kurtosis", (z / Sq).square().square().mean()},
+              {"Sp", "mm", "highest peak", Sp},
+              {"Sv", "mm", "deepest pit", Sv},
+              {"Sz", "mm", "maximum height", Sp + Sv},
+              {"Sdq", "", "root mean square gradient", std::sqrt(squares.mean())},
+              {"Sdr", "", "area of the surface (triangles) over the map's, less 1", developed_area(map, periodic)},
+              {"Sal", "mm", "autocorrelation length, to 0.2", t.Sal},
+              {"Str", "", t.Str_is_bound ? "texture aspect ratio, at most" : "texture aspect ratio: 0 one lay, 1 none",
+               t.Str},
+              {"Std", "°", "direction of the lay, from x", t.Std},
+              {"Smr", "", "material ratio at the mean plane", material_ratio(about, 0)},
+              {"Smc10", "mm", "height that a tenth of the area exceeds", material_height(about.heights, 0.1)}};
     add_core(s.rows, "S", about.heights);
     return s;
 }

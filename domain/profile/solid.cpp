@@ -37,8 +37,7 @@ struct SolidAxis {
 SolidAxis axis_of(Index nodes, double spacing, bool is_2d, bool periodic) {
     SolidAxis axis;
     const bool has_cells = is_2d && !periodic;
-    if (has_cells)
-        axis = {{0}, {0}};
+    if (has_cells) axis = {{0}, {0}};
     for (Index i = 0; i < nodes; ++i) {
         axis.at.push_back((has_cells ? spacing / 2 : 0) + spacing * static_cast<double>(i));
         axis.node.push_back(i);
@@ -70,12 +69,10 @@ bool write_png(std::string& bytes, Extent size, png_bytepp rows, png_textp text,
     }
     png_set_write_fn(png, &bytes, append, nullptr);
     png_set_IHDR(png, info, static_cast<png_uint_32>(size.columns), static_cast<png_uint_32>(size.rows), 16,
-                 PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
-                 PNG_FILTER_TYPE_DEFAULT);
+                 PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_set_text(png, info, text, texts);
     png_write_info(png, info);
-    if (std::endian::native == std::endian::little)
-        png_set_swap(png);
+    if (std::endian::native == std::endian::little) png_set_swap(png);
     png_write_image(png, rows);
     png_write_end(png, nullptr);
     png_destroy_write_struct(&png, &info);
@@ -106,8 +103,7 @@ Mesh solid(const Profile& surface, const Extrusion& extrusion) {
     for (const auto& [name, value] :
          {std::pair("length", m * length), {"width", m * width}, {"height", m * (base + range)}})
         if (!std::isnormal(static_cast<float>(value)))
-            refuse("solid: a ", name, " of ", value,
-                   " mm is beyond single precision; use 1.2e-38 to 3.4e38 mm");
+            refuse("solid: a ", name, " of ", value, " mm is beyond single precision; use 1.2e-38 to 3.4e38 mm");
     if (base > thickest)
         refuse("solid: base ", base, " mm is out of range (at most ", thickest,
                " mm: single precision loses heights of ", range, " mm in a thicker one)");
@@ -122,13 +118,10 @@ Mesh solid(const Profile& surface, const Extrusion& extrusion) {
         for (Index j = 0; j < rows; ++j) {
             const auto column = static_cast<std::size_t>(i), row = static_cast<std::size_t>(j);
             const double height = surface.heights[along_y.node[row] * nodes + along_x.node[column]];
-            const auto x = static_cast<float>(m * along_x.at[column]),
-                       y = static_cast<float>(m * along_y.at[row]),
+            const auto x = static_cast<float>(m * along_x.at[column]), y = static_cast<float>(m * along_y.at[row]),
                        top = static_cast<float>(m * (base + height - lowest));
-            if ((j > 0 && !(y > mesh.vertices.back().y())) ||
-                (j == 0 && i > 0 && !(x > mesh.vertices.back().x())))
-                refuse("solid: ", surface.nodes(),
-                       " nodes are more than single precision resolves; use fewer nodes");
+            if ((j > 0 && !(y > mesh.vertices.back().y())) || (j == 0 && i > 0 && !(x > mesh.vertices.back().x())))
+                refuse("solid: ", surface.nodes(), " nodes are more than single precision resolves; use fewer nodes");
             mesh.vertices.emplace_back(x, y, 0);
             mesh.vertices.emplace_back(x, y, top);
         }
@@ -137,8 +130,7 @@ Mesh solid(const Profile& surface, const Extrusion& extrusion) {
         mesh.facets.push_back({a, c, d});
     };
     const Index last = columns - 1, back = rows - 1;
-    for (Index j = 0; j < back; ++j)
-        face(low(0, j), high(0, j), high(0, j + 1), low(0, j + 1));
+    for (Index j = 0; j < back; ++j) face(low(0, j), high(0, j), high(0, j + 1), low(0, j + 1));
     for (Index i = 0; i < last; ++i) {
         face(low(i, 0), low(i + 1, 0), high(i + 1, 0), high(i, 0));
         face(low(i + 1, back), low(i, back), high(i, back), high(i + 1, back));
@@ -147,8 +139,7 @@ Mesh solid(const Profile& surface, const Extrusion& extrusion) {
             face(low(i, j + 1), low(i + 1, j + 1), low(i + 1, j), low(i, j));
         }
     }
-    for (Index j = 0; j < back; ++j)
-        face(low(last, j), low(last, j + 1), high(last, j + 1), high(last, j));
+    for (Index j = 0; j < back; ++j) face(low(last, j), low(last, j + 1), high(last, j + 1), high(last, j));
     return mesh;
 }
 
@@ -158,13 +149,11 @@ std::string binary_stl(const Profile& surface, const Extrusion& extrusion) {
     bytes.resize(80, ' ');
     append_little_endian(bytes, static_cast<std::uint32_t>(mesh.facets.size()));
     const auto append = [&](const Vertex& vertex) {
-        for (int i = 0; i < 3; ++i)
-            append_little_endian(bytes, vertex[i]);
+        for (int i = 0; i < 3; ++i) append_little_endian(bytes, vertex[i]);
     };
     for (const auto& [a, b, c] : mesh.facets) { // normal, three corners, an empty attribute
         const auto corner = [&](std::uint32_t i) { return mesh.vertices[i]; };
-        const Eigen::Vector3d u = (corner(b) - corner(a)).cast<double>(),
-                              v = (corner(c) - corner(a)).cast<double>();
+        const Eigen::Vector3d u = (corner(b) - corner(a)).cast<double>(), v = (corner(c) - corner(a)).cast<double>();
         append(u.cross(v).normalized().cast<float>());
         append(corner(a)), append(corner(b)), append(corner(c));
         bytes.append(2, '\0');
@@ -180,29 +169,27 @@ std::string three_mf(const Profile& surface, const Extrusion& extrusion) {
     };
     const std::string head = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
     std::string model =
-        head +
-        "<model unit=\"millimeter\" xml:lang=\"en-US\" "
-        "xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\">\n"
-        "<resources><object id=\"1\" type=\"model\" name=\"rugosa: a rough surface\"><mesh>\n<vertices>\n";
+        head + "<model unit=\"millimeter\" xml:lang=\"en-US\" "
+               "xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\">\n"
+               "<resources><object id=\"1\" type=\"model\" name=\"rugosa: a rough surface\"><mesh>\n<vertices>\n";
     for (const Vertex& vertex : mesh.vertices)
-        model += "<vertex x=\"" + number(vertex.x()) + "\" y=\"" + number(vertex.y()) + "\" z=\"" +
-                 number(vertex.z()) + "\"/>\n";
+        model += "<vertex x=\"" + number(vertex.x()) + "\" y=\"" + number(vertex.y()) + "\" z=\"" + number(vertex.z()) +
+                 "\"/>\n";
     model += "</vertices>\n<triangles>\n";
     for (const auto& [a, b, c] : mesh.facets)
         model += "<triangle v1=\"" + number(a) + "\" v2=\"" + number(b) + "\" v3=\"" + number(c) + "\"/>\n";
     model += "</triangles>\n</mesh></object></resources>\n<build><item objectid=\"1\"/></build>\n</model>\n";
-    return zipped(
-        {{"[Content_Types].xml",
-          head + "<Types xmlns=\"http://schemas.openxmlformats.org/package/2006/content-types\">"
-                 "<Default Extension=\"rels\" "
-                 "ContentType=\"application/vnd.openxmlformats-package.relationships+xml\"/>"
-                 "<Default Extension=\"model\" "
-                 "ContentType=\"application/vnd.ms-package.3dmanufacturing-3dmodel+xml\"/></Types>\n"},
-         {"_rels/.rels",
-          head + "<Relationships xmlns=\"http://schemas.openxmlformats.org/package/2006/relationships\">"
-                 "<Relationship Target=\"/3D/3dmodel.model\" Id=\"rel0\" "
-                 "Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/></Relationships>\n"},
-         {"3D/3dmodel.model", model}});
+    return zipped({{"[Content_Types].xml",
+                    head + "<Types xmlns=\"http://schemas.openxmlformats.org/package/2006/content-types\">"
+                           "<Default Extension=\"rels\" "
+                           "ContentType=\"application/vnd.openxmlformats-package.relationships+xml\"/>"
+                           "<Default Extension=\"model\" "
+                           "ContentType=\"application/vnd.ms-package.3dmanufacturing-3dmodel+xml\"/></Types>\n"},
+                   {"_rels/.rels",
+                    head + "<Relationships xmlns=\"http://schemas.openxmlformats.org/package/2006/relationships\">"
+                           "<Relationship Target=\"/3D/3dmodel.model\" Id=\"rel0\" "
+                           "Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/></Relationships>\n"},
+                   {"3D/3dmodel.model", model}});
 }
 
 HeightImage height_image(const Profile& surface, const Extrusion& extrusion) {
@@ -212,13 +199,12 @@ HeightImage height_image(const Profile& surface, const Extrusion& extrusion) {
                                         : std::max(2.0, 1 + std::round(width / surface.spacing));
     const auto side = static_cast<double>(columns);
     if (!(rows * side <= max_pixels && std::max(rows, side) <= max_side))
-        refuse("height image: ", columns, " x ", rows, " pixels are more than ", max_pixels, " or than ",
-               max_side, " along a side; use fewer nodes or a smaller width");
+        refuse("height image: ", columns, " x ", rows, " pixels are more than ", max_pixels, " or than ", max_side,
+               " along a side; use fewer nodes or a smaller width");
     const double lowest = surface.heights.minCoeff(), level = (surface.heights.maxCoeff() - lowest) / white;
     std::vector<std::uint16_t> greys(static_cast<std::size_t>(surface.nodes()));
     for (std::size_t i = 0; i < greys.size() && level > 0; ++i)
-        greys[i] = static_cast<std::uint16_t>(
-            std::lround((surface.heights[static_cast<Index>(i)] - lowest) / level));
+        greys[i] = static_cast<std::uint16_t>(std::lround((surface.heights[static_cast<Index>(i)] - lowest) / level));
     std::vector<png_bytep> lines(static_cast<std::size_t>(rows)); // from the largest y to the smallest
     for (std::size_t j = 0; j < lines.size(); ++j)
         lines[j] = reinterpret_cast<png_bytep>(
@@ -231,8 +217,7 @@ HeightImage height_image(const Profile& surface, const Extrusion& extrusion) {
                    {"row_spacing_mm", surface.is_2d() ? surface.row_spacing : width / (rows - 1)}};
     std::vector<std::pair<std::string, std::string>> texts{
         {"Description", "height = lowest_height_mm + grey * height_per_grey_mm, x to the right, y upwards"}};
-    for (const auto& [name, value] : image.scale)
-        texts.emplace_back(name, line_with_digits(17, value));
+    for (const auto& [name, value] : image.scale) texts.emplace_back(name, line_with_digits(17, value));
     std::vector<png_text> chunks(texts.size());
     for (std::size_t i = 0; i < texts.size(); ++i) {
         chunks[i].compression = PNG_TEXT_COMPRESSION_NONE;

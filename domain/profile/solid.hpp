@@ -17,10 +17,9 @@ struct Extrusion {
     /// Thickness below the lowest node, mm. Default: the larger of the height range and a tenth of the
     /// length, or less so that single precision resolves the heights.
     std::optional<double> base = {};
-    double magnify = 1;  ///< factor on all lengths, > 0
-    double layer = 0.05; ///< height of a printer's layers, mm; the solid does not depend on it
-    bool periodic =
-        false; ///< whether a map repeats beyond its length, so that it ends at the height it begins
+    double magnify = 1;    ///< factor on all lengths, > 0
+    double layer = 0.05;   ///< height of a printer's layers, mm; the solid does not depend on it
+    bool periodic = false; ///< whether a map repeats beyond its length, so that it ends at the height it begins
 };
 
 /// A closed surface of triangles.

@@ -117,8 +117,7 @@ CurveJacobian interface_jacobian(CurveJacobian jacobian, const Curve& stiffness,
 
 Curve interface_secants(const Response& response) {
     Curve curve = secant_stiffness(response);
-    for (double& K : curve.y)
-        K = interface_of(K, response.full_stiffness);
+    for (double& K : curve.y) K = interface_of(K, response.full_stiffness);
     return curve;
 }
 
@@ -137,14 +136,13 @@ PartialSlip partial_slip(const Profile& surface, const Body& body, const Respons
     if (!(friction > 0) || !std::isfinite(friction))
         refuse("friction coefficient ", friction, " is out of range (above 0, finite)");
     if (response.held_nodes > 0)
-        refuse("partial slip: ", response.held_nodes,
-               " nodes are at the hardness; use a profile in elastic contact");
+        refuse("partial slip: ", response.held_nodes, " nodes are at the hardness; use a profile in elastic contact");
     const Index n = response.steps();
     if (!is_half_space(body)) {
         if (surface.is_2d())
             refuse("partial slip: a map with layers has no tangential solution; use a line or no layers");
-        const std::vector<LoadStep> rows = solve_partial_slip(surface, body, response.displacement[n - 1],
-                                                              friction, static_cast<int>(n), options);
+        const std::vector<LoadStep> rows =
+            solve_partial_slip(surface, body, response.displacement[n - 1], friction, static_cast<int>(n), options);
         const Response slip = response_of(rows, response.solver, 1);
         Eigen::VectorXd stick(n + 1);
         for (Index k = 0; k <= n; ++k) {

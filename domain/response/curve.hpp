@@ -48,8 +48,7 @@ ResponseJacobian in_genes(const ResponseJacobian& gradient, Pull pull) {
     Eigen::MatrixXd rows(steps + 1 + fraction.rows(), pressure.cols());
     rows.topRows(steps) = pressure;
     rows.row(steps) = last_displacement;
-    if (fraction.size() > 0)
-        rows.bottomRows(fraction.rows()) = fraction;
+    if (fraction.size() > 0) rows.bottomRows(fraction.rows()) = fraction;
     const Eigen::MatrixXd pulled = pull(rows);
     return {pulled.topRows(steps), pulled.row(steps), pulled.bottomRows(fraction.rows())};
 }

@@ -31,12 +31,10 @@ Response response_of(const std::vector<LoadStep>& steps, Solver solver, double r
 double displacement_range(const Profile& profile, Kernel kernel) {
     if (profile.nodes() < 2)
         throw InputError("profile: it has " + std::to_string(profile.nodes()) + " nodes; use at least 2");
-    if (!profile.heights.allFinite())
-        throw InputError("profile: a height is not finite; use finite heights in mm");
+    if (!profile.heights.allFinite()) throw InputError("profile: a height is not finite; use finite heights in mm");
     const Eigen::ArrayXd below = profile.heights.maxCoeff() - profile.heights.array();
     const double range = kernel == Kernel::periodic ? below.mean() : below.maxCoeff();
-    if (!(range > 0))
-        throw InputError("profile: all heights are equal at its nodes; use heights that differ");
+    if (!(range > 0)) throw InputError("profile: all heights are equal at its nodes; use heights that differ");
     return range;
 }
 
@@ -44,8 +42,7 @@ namespace {
 
 std::vector<double> even_steps(double last, const Loading& loading) {
     std::vector<double> displacements;
-    for (int j = 1; j <= loading.steps; ++j)
-        displacements.push_back(last * (static_cast<double>(j) / loading.steps));
+    for (int j = 1; j <= loading.steps; ++j) displacements.push_back(last * (static_cast<double>(j) / loading.steps));
     return displacements;
 }
 
@@ -83,8 +80,7 @@ std::vector<double> step_displacements(const Profile& profile, const Body& body,
         return column(solve_contact_at_pressures(profile, body, loading.pressures, options).steps,
                       &LoadStep::displacement);
     validate(loading, body.kernel);
-    if (loading.to_displacement)
-        return even_steps(*loading.to_displacement, loading);
+    if (loading.to_displacement) return even_steps(*loading.to_displacement, loading);
     if (loading.to_pressure)
         return even_steps(displacement_at_pressure(profile, body, *loading.to_pressure, options), loading);
     return load_displacements(displacement_range(profile, body.kernel), loading, body.kernel);
@@ -92,21 +88,17 @@ std::vector<double> step_displacements(const Profile& profile, const Body& body,
 
 ContactCurve solve_load_steps(const Profile& profile, const Body& body, const Loading& loading,
                               const ContactOptions& options) {
-    if (!loading.pressures.empty())
-        return solve_contact_at_pressures(profile, body, loading.pressures, options);
+    if (!loading.pressures.empty()) return solve_contact_at_pressures(profile, body, loading.pressures, options);
     return solve_contact(profile, body, step_displacements(profile, body, loading, options), options);
 }
 
-Response respond(const Profile& profile, const Body& body, const Loading& loading,
-                 const ContactOptions& options) {
+Response respond(const Profile& profile, const Body& body, const Loading& loading, const ContactOptions& options) {
     const double range = displacement_range(profile, body.kernel);
     const ContactCurve curve = solve_load_steps(profile, body, loading, options);
-    return response_of(curve.steps, curve.solver, range,
-                       full_contact_stiffness(profile, body, options.threads));
+    return response_of(curve.steps, curve.solver, range, full_contact_stiffness(profile, body, options.threads));
 }
 
-Response respond_smoothly(const Profile& profile, const Body& body, const Loading& loading,
-                          ContactOptions options) {
+Response respond_smoothly(const Profile& profile, const Body& body, const Loading& loading, ContactOptions options) {
     expect_smooth_area(body);
     const double range = displacement_range(profile, body.kernel);
     options.states = true;
@@ -121,8 +113,7 @@ ResponseWithGradient respond_with_gradient(const Profile& profile, const Body& b
                                            ContactOptions options, bool with_area) {
     if (!loading.pressures.empty())
         refuse("pressures: load steps at given pressures have no gradient; use steps of equal displacement");
-    if (with_area)
-        expect_smooth_area(body);
+    if (with_area) expect_smooth_area(body);
     const double range = displacement_range(profile, body.kernel);
     options.states = true;
     const ContactCurve curve = solve_load_steps(profile, body, loading, options);
@@ -165,27 +156,23 @@ ResponseWithGradient respond_with_gradient(const Profile& profile, const Body& b
             d_pressure(j, state.nodes[i]) += cell * state.tangent[static_cast<Index>(i)];
     }
     SmoothArea smooth;
-    if (with_area)
-        smooth = smooth_area(profile, body, curve);
+    if (with_area) smooth = smooth_area(profile, body, curve);
     for (Index j = 0; j < smooth.fraction.size(); ++j)
-        smooth.by_height.row(j) +=
-            smooth.by_displacement[j] * (static_cast<double>(j + 1) / loading.steps) * d_last;
-    return {
-        response_of(curve.steps, curve.solver, range, full_contact_stiffness(profile, body, options.threads)),
-        {std::move(d_pressure), std::move(d_last), std::move(smooth.by_height)},
-        std::move(smooth.fraction)};
+        smooth.by_height.row(j) += smooth.by_displacement[j] * (static_cast<double>(j + 1) / loading.steps) * d_last;
+    return {response_of(curve.steps, curve.solver, range, full_contact_stiffness(profile, body, options.threads)),
+            {std::move(d_pressure), std::move(d_last), std::move(smooth.by_height)},
+            std::move(smooth.fraction)};
 }
 
 Response scaled(Response response, double factor) {
     if (response.held_nodes > 0)
-        refuse("amplitude: ", response.held_nodes, " nodes are at the hardness, which does not scale by ",
-               factor, "; use a response in elastic contact");
+        refuse("amplitude: ", response.held_nodes, " nodes are at the hardness, which does not scale by ", factor,
+               "; use a response in elastic contact");
     response.range *= factor;
     response.displacement *= factor;
     response.pressure *= factor;
     if (!response.displacement.allFinite() || !response.pressure.allFinite())
-        refuse("amplitude: pressures or displacements times ", factor,
-               " exceed double precision; use another factor");
+        refuse("amplitude: pressures or displacements times ", factor, " exceed double precision; use another factor");
     return response;
 }
 
@@ -209,8 +196,7 @@ NamedValues named_values(const Model& model) {
     }
     if (body.kernel == Kernel::free && !model.grid.is_2d())
         all.emplace_back("datum_mm", field_text(body.datum.value()));
-    if (body.kernel == Kernel::strip)
-        all.emplace_back("strip_width_mm", field_text(body.strip_width.value()));
+    if (body.kernel == Kernel::strip) all.emplace_back("strip_width_mm", field_text(body.strip_width.value()));
     if (!body.layering.layers.empty()) {
         std::string layers;
         for (const Layer& layer : body.layering.layers)

@@ -80,7 +80,7 @@ Response respond_smoothly(const Profile& profile, const Body& body, const Loadin
 
 /// Derivatives of a response with respect to the heights Z_i (columns), or to genes (in_genes).
 struct ResponseJacobian {
-    Eigen::MatrixXd pressure; ///< dP_j, one row per load step; over the heights a row sums to zero
+    Eigen::MatrixXd pressure;             ///< dP_j, one row per load step; over the heights a row sums to zero
     Eigen::RowVectorXd last_displacement; ///< d Delta_nt; those of other steps are fractions of it
     Eigen::MatrixXd contact_fraction;     ///< d fraction_j (smooth), one row per step; empty if not requested
 };

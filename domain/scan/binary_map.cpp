@@ -21,8 +21,7 @@ struct NumberType {
 };
 template <class T>
 constexpr NumberType number_type(double missing = missing_height) {
-    return {sizeof(T),
-            [](std::string_view bytes, std::size_t at) -> double { return little_endian<T>(bytes, at); },
+    return {sizeof(T), [](std::string_view bytes, std::size_t at) -> double { return little_endian<T>(bytes, at); },
             missing};
 }
 constexpr NumberType number_types[] = {number_type<std::uint8_t>(),
@@ -38,8 +37,7 @@ constexpr NumberType number_types[] = {number_type<std::uint8_t>(),
 void take_heights(HeightMap& map, std::string_view bytes, std::size_t at, std::int64_t columns, int type,
                   double missing, const std::string& file) {
     expect_points(columns, map.rows, file);
-    map.heights =
-        stored_numbers(bytes.substr(std::min(at, bytes.size())), columns * map.rows, type, missing, file);
+    map.heights = stored_numbers(bytes.substr(std::min(at, bytes.size())), columns * map.rows, type, missing, file);
 }
 
 void expect_spacing(double spacing, const std::string& what, const std::string& file) {
@@ -59,8 +57,7 @@ HeightMap surface_data_file(const std::string& bytes, const std::string& file) {
     const std::size_t header = wide ? 85 : 81, scales = header - 35;
     expect_header(bytes, header, file);
     const auto count = [&](std::size_t which) -> std::int64_t {
-        if (wide)
-            return little_endian<std::uint32_t>(bytes, 42 + 4 * which);
+        if (wide) return little_endian<std::uint32_t>(bytes, 42 + 4 * which);
         return little_endian<std::uint16_t>(bytes, 42 + 2 * which);
     };
     const std::int64_t columns = count(0);
@@ -71,10 +68,8 @@ HeightMap surface_data_file(const std::string& bytes, const std::string& file) {
     map.height_factor = little_endian<double>(bytes, scales + 16);
     expect_spacing(map.spacing, "Xscale", file);
     expect_spacing(map.height_factor, "Zscale", file);
-    if (map.rows > 1)
-        expect_spacing(map.row_spacing, "Yscale", file);
-    if (bytes[header - 3] != 0)
-        refuse(file, ": the heights are compressed; save it without compression");
+    if (map.rows > 1) expect_spacing(map.row_spacing, "Yscale", file);
+    if (bytes[header - 3] != 0) refuse(file, ": the heights are compressed; save it without compression");
     const int type = static_cast<unsigned char>(bytes[header - 2]);
     take_heights(map, bytes, header, columns, type, missing_mark(type), file);
     return map;
@@ -84,8 +79,7 @@ HeightMap surface_data_file(const std::string& bytes, const std::string& file) {
 LengthUnit unit_field(const std::string& bytes, std::size_t at, const std::string& file) {
     std::string word = bytes.substr(at, 16);
     word.resize(std::min(word.find('\0'), word.size()));
-    if (const auto micro = word.find('\xB5'); micro != std::string::npos)
-        word.replace(micro, 1, "u");
+    if (const auto micro = word.find('\xB5'); micro != std::string::npos) word.replace(micro, 1, "u");
     return length_unit_named(trim(word), file);
 }
 
@@ -102,8 +96,7 @@ double decimal(float number) {
 /// before and after compression, and the streams (zlib).
 std::string uncompressed(std::string_view data, std::size_t size, const std::string& file) {
     const auto word = [&, data](std::size_t index) -> std::size_t {
-        if (data.size() < 4 * index + 4)
-            refuse(file, ": its compressed heights end early; export it again");
+        if (data.size() < 4 * index + 4) refuse(file, ": its compressed heights end early; export it again");
         return little_endian<std::uint32_t>(data, 4 * index);
     };
     std::string heights(size, '\0');
@@ -119,8 +112,7 @@ std::string uncompressed(std::string_view data, std::size_t size, const std::str
             refuse(file, ": its compressed heights are damaged; export it again");
         done += raw, at += packed;
     }
-    if (done != size)
-        refuse(file, ": ends early, with ", done, " of ", size, " bytes of heights; export it again");
+    if (done != size) refuse(file, ": ends early, with ", done, " of ", size, " bytes of heights; export it again");
     return heights;
 }
 
@@ -132,8 +124,7 @@ HeightMap digital_surf(const std::string& bytes, const std::string& file) {
     const auto half = [&](std::size_t at) { return little_endian<std::int16_t>(bytes, at); };
     const auto whole = [&](std::size_t at) { return little_endian<std::int32_t>(bytes, at); };
     if (half(12) != 0)
-        refuse(file, ": a Digital Surf file of format ", half(12),
-               "; save it in format 0, lowest byte first");
+        refuse(file, ": a Digital Surf file of format ", half(12), "; save it in format 0, lowest byte first");
     if (half(18) != 1 && half(18) != 2 && half(18) != 16)
         refuse(file, ": a Digital Surf object of type ", half(18), "; save a profile (1) or a surface (2)");
     if (half(98) != 16 && half(98) != 32)
@@ -162,8 +153,7 @@ HeightMap digital_surf(const std::string& bytes, const std::string& file) {
     const auto size = static_cast<std::size_t>(columns * map.rows) * (type == 5 ? 2 : 4);
     if (size > 2000 * bytes.size()) // zlib packs to a thousandth at most
         refuse(file, ": ends early, before ", size, " bytes of heights; export it again");
-    const std::string heights =
-        uncompressed(std::string_view(bytes).substr(std::min(data, bytes.size())), size, file);
+    const std::string heights = uncompressed(std::string_view(bytes).substr(std::min(data, bytes.size())), size, file);
     take_heights(map, heights, 0, columns, type, missing, file);
     return map;
 }
@@ -182,16 +172,14 @@ HeightMap simple_field(const std::string& bytes, const std::string& file) {
         const std::string_view line = rest.substr(0, rest.find('\n'));
         rest.remove_prefix(std::min(line.size() + 1, rest.size()));
         const std::size_t mark = line.find('=');
-        if (mark == std::string_view::npos)
-            continue;
+        if (mark == std::string_view::npos) continue;
         const std::string key = lower(trim(line.substr(0, mark)));
         const std::string_view value = trim(line.substr(mark + 1));
         for (const auto& [name, target] : numbers)
             if (key == name) {
                 const auto read = number(value, Dialect{});
                 if (!read || !(read->value > 0))
-                    refuse(file, ": ", key, " '", value.substr(0, 60),
-                           "' is not a number above 0; export it again");
+                    refuse(file, ": ", key, " '", value.substr(0, 60), "' is not a number above 0; export it again");
                 *target = read->value;
             }
         if (key == "xyunits")
@@ -200,8 +188,8 @@ HeightMap simple_field(const std::string& bytes, const std::string& file) {
             map.height_unit = length_unit_named(value, file);
     }
     constexpr double max_points = 1e9;
-    if (!(columns >= 1 && rows >= 1 && columns < max_points && rows < max_points) ||
-        columns != std::floor(columns) || rows != std::floor(rows))
+    if (!(columns >= 1 && rows >= 1 && columns < max_points && rows < max_points) || columns != std::floor(columns) ||
+        rows != std::floor(rows))
         refuse(file, ": ", columns, " x ", rows, " points; set XRes and YRes to whole numbers from 1");
     map.rows = static_cast<Index>(rows);
     map.spacing = width / columns * unit;
@@ -228,10 +216,8 @@ double quantum(const Eigen::VectorXd& heights) {
     double step = 0;
     for (double rest : heights)
         for (rest = std::abs(rest); rest > rounding;) { // Euclid's algorithm
-            if (step == 0 || rest < step)
-                std::swap(rest, step);
-            if (step > 0 && step < 1e3 * rounding)
-                return 0;
+            if (step == 0 || rest < step) std::swap(rest, step);
+            if (step > 0 && step < 1e3 * rounding) return 0;
             rest = std::abs(std::remainder(rest, step));
         }
     return step;
@@ -249,8 +235,7 @@ double missing_mark(int type) { return type < 0 || type > 7 ? missing_height : n
 
 Eigen::VectorXd stored_numbers(std::string_view bytes, std::int64_t count, int type, double missing,
                                const std::string& file) {
-    if (type < 0 || type > 7)
-        refuse(file, ": numbers of type ", type, "; use a type from 0 to 7");
+    if (type < 0 || type > 7) refuse(file, ": numbers of type ", type, "; use a type from 0 to 7");
     const NumberType& of = number_types[type];
     if (static_cast<std::int64_t>(bytes.size()) < of.size * count)
         refuse(file, ": ends early, with ", bytes.size(), " of ", of.size * count,
@@ -272,8 +257,7 @@ bool is_binary_map(std::string_view head) {
 
 std::optional<HeightMap> binary_map(const std::string& bytes, const std::string& file) {
     for (const Format& format : formats)
-        if (bytes.starts_with(format.begins))
-            return format.read(bytes, file);
+        if (bytes.starts_with(format.begins)) return format.read(bytes, file);
     return std::nullopt;
 }
 
@@ -291,18 +275,16 @@ std::string sur(const Profile& surface) {
         step = decimal(static_cast<float>(largest > 0 ? largest / most : 1));
     for (const double size : {step, surface.spacing, surface.is_2d() ? surface.row_spacing : 1})
         if (!std::isnormal(static_cast<float>(size)))
-            refuse("sur: heights up to ", largest, " mm at spacings of ", surface.spacing, " x ",
-                   surface.row_spacing, " mm are beyond the format's numbers; check the unit");
+            refuse("sur: heights up to ", largest, " mm at spacings of ", surface.spacing, " x ", surface.row_spacing,
+                   " mm are beyond the format's numbers; check the unit");
     constexpr std::int32_t missing = std::numeric_limits<std::int32_t>::min();
     std::vector<std::int32_t> heights;
-    for (const double height : known)
-        heights.push_back(static_cast<std::int32_t>(std::lround(height / step)));
+    for (const double height : known) heights.push_back(static_cast<std::int32_t>(std::lround(height / step)));
     const auto [least, highest] = std::ranges::minmax(heights);
     const bool has_holes = surface.heights.hasNaN();
     const std::int32_t lowest = has_holes ? missing + 2 : least; // two above the mark of a missing height
     for (std::size_t i = 0; i < heights.size(); ++i)
-        if (std::isnan(surface.heights[static_cast<Index>(i)]))
-            heights[i] = missing;
+        if (std::isnan(surface.heights[static_cast<Index>(i)])) heights[i] = missing;
 
     std::string bytes = "DIGITAL SURF";
     const auto text = [&](std::string_view word, std::size_t size) {
@@ -310,8 +292,7 @@ std::string sur(const Profile& surface) {
         bytes.append(size - word.size(), ' ');
     };
     const auto halves = [&](std::initializer_list<int> numbers) {
-        for (const int number : numbers)
-            append_little_endian(bytes, static_cast<std::int16_t>(number));
+        for (const int number : numbers) append_little_endian(bytes, static_cast<std::int16_t>(number));
     };
     const auto zeros_to = [&](std::size_t place) { bytes.resize(place, '\0'); };
     halves({0, 1, 1, surface.is_2d() ? 2 : 1}); // lowest byte first, one object, version, its type
@@ -326,11 +307,9 @@ std::string sur(const Profile& surface) {
         append_little_endian(bytes, static_cast<float>(size));
     for (const char* word : {"X", "Y", "Z", "mm", "mm", "mm", "mm", "mm", "mm"}) // axes, steps, lengths
         text(word, 16);
-    for (int axis = 0; axis < 3; ++axis)
-        append_little_endian(bytes, 1.f); // ratio of the units of steps and lengths
+    for (int axis = 0; axis < 3; ++axis) append_little_endian(bytes, 1.f); // ratio of the units of steps and lengths
     zeros_to(512);
-    for (const std::int32_t height : heights)
-        append_little_endian(bytes, height);
+    for (const std::int32_t height : heights) append_little_endian(bytes, height);
     return bytes;
 }
 
@@ -351,8 +330,7 @@ std::string vtk(const Profile& map) {
         append(map.heights[k]);
     }
     bytes += "\nPOINT_DATA " + count + "\nSCALARS height_mm double 1\nLOOKUP_TABLE default\n";
-    for (const double height : map.heights)
-        append(height);
+    for (const double height : map.heights) append(height);
     return bytes + "\n";
 }
 

@@ -21,8 +21,7 @@ class Cursor {
     Cursor(std::string_view bytes, const std::string& file) : rest_(bytes), file_(file) {}
     bool done() const { return rest_.empty(); }
     std::string_view take(std::size_t size) {
-        if (size > rest_.size())
-            refuse(file_, ": the Gwyddion file ends early; save it again");
+        if (size > rest_.size()) refuse(file_, ": the Gwyddion file ends early; save it again");
         const std::string_view taken = rest_.substr(0, size);
         rest_.remove_prefix(size);
         return taken;
@@ -37,21 +36,17 @@ class Cursor {
     std::string_view object() { return name(), take(count()); }
     /// A value of a type. Types in upper case are arrays, with their length before them.
     std::string_view value(char type) {
-        if (type == 's')
-            return name();
-        if (type == 'o')
-            return object();
+        if (type == 's') return name();
+        if (type == 'o') return object();
         if (type == 'S' || type == 'O') {
             const std::string_view whole = rest_;
-            for (std::uint32_t left = count(); left > 0; --left)
-                value(type == 'S' ? 's' : 'o');
+            for (std::uint32_t left = count(); left > 0; --left) value(type == 'S' ? 's' : 'o');
             return whole.substr(0, whole.size() - rest_.size());
         }
         constexpr std::string_view types = "bciqdCIQD";
         constexpr std::size_t sizes[] = {1, 1, 4, 8, 8, 1, 4, 8, 8};
         const std::size_t at = types.find(type);
-        if (at == types.npos)
-            refuse(file_, ": a value of type '", type, "' in the Gwyddion file; save it again");
+        if (at == types.npos) refuse(file_, ": a value of type '", type, "' in the Gwyddion file; save it again");
         return take(sizes[at] * (at < 5 ? 1 : count()));
     }
 
@@ -83,8 +78,7 @@ std::optional<LengthUnit> unit_of(const Items& field, std::string_view name, con
 
 double number_of(const Items& field, std::string_view name, char type) {
     const std::string_view bytes = bytes_of(field, name, type);
-    if (bytes.empty())
-        return 0;
+    if (bytes.empty()) return 0;
     return type == 'i' ? little_endian<std::int32_t>(bytes, 0) : little_endian<double>(bytes, 0);
 }
 
@@ -97,16 +91,13 @@ HeightMap read_gwy(const std::string& bytes, const std::string& file) {
     int channel = 0, fields = 0;
     for (int k = 999; k >= 0; --k)
         if (const auto field = bytes_of(items, "/" + std::to_string(k) + "/data", 'o'); !field.empty())
-            if (unit_of(items_of(field, file), "si_unit_z", file))
-                channel = k, ++fields;
-    if (fields == 0)
-        refuse(file, ": a Gwyddion file without heights in a length unit; save a topography");
+            if (unit_of(items_of(field, file), "si_unit_z", file)) channel = k, ++fields;
+    if (fields == 0) refuse(file, ": a Gwyddion file without heights in a length unit; save a topography");
     const std::string place = "/" + std::to_string(channel) + "/";
     const Items field = items_of(bytes_of(items, place + "data", 'o'), file);
     const double columns = number_of(field, "xres", 'i'), width = number_of(field, "xreal", 'd'),
                  length = number_of(field, "yreal", 'd');
-    HeightMap map{"Gwyddion (GWY)" +
-                  (fields > 1 ? ", the first of " + std::to_string(fields) + " fields" : "")};
+    HeightMap map{"Gwyddion (GWY)" + (fields > 1 ? ", the first of " + std::to_string(fields) + " fields" : "")};
     map.rows = static_cast<Index>(number_of(field, "yres", 'i'));
     map.height_unit = *unit_of(field, "si_unit_z", file);
     const auto lateral = unit_of(field, "si_unit_xy", file);
@@ -118,8 +109,7 @@ HeightMap read_gwy(const std::string& bytes, const std::string& file) {
     const auto nodes = static_cast<std::int64_t>(columns) * map.rows;
     map.heights = stored_numbers(bytes_of(field, "data", 'D'), nodes, 7, std::nan(""), file);
     if (const auto mask = bytes_of(items, place + "mask", 'o'); !mask.empty()) {
-        const auto marks =
-            stored_numbers(bytes_of(items_of(mask, file), "data", 'D'), nodes, 7, std::nan(""), file);
+        const auto marks = stored_numbers(bytes_of(items_of(mask, file), "data", 'D'), nodes, 7, std::nan(""), file);
         map.heights = (marks.array() >= 0.5).select(std::nan(""), map.heights);
         map.format += ", points under its mask missing";
     }

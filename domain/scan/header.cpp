@@ -19,15 +19,12 @@ struct Entry {
 std::optional<Entry> entry(std::string_view line) {
     for (const char mark : std::string_view("=:;\t,")) {
         const std::size_t place = line.find(mark);
-        if (place == std::string_view::npos || trim(line.substr(0, place)).empty())
-            continue;
+        if (place == std::string_view::npos || trim(line.substr(0, place)).empty()) continue;
         Entry read{lower(trim(line.substr(0, place))), line.substr(place + 1), {}};
         if (const std::size_t open = read.key.find_first_of("[("), close = read.key.find_last_of("])");
             open != std::string::npos && close != std::string::npos && open < close && open > 0)
-            if (read.unit = length_unit(read.key.substr(open + 1, close - open - 1)); read.unit)
-                read.key.resize(open);
-        std::erase_if(read.key,
-                      [](char c) { return std::string_view(" \t-_.\"").find(c) != std::string_view::npos; });
+            if (read.unit = length_unit(read.key.substr(open + 1, close - open - 1)); read.unit) read.key.resize(open);
+        std::erase_if(read.key, [](char c) { return std::string_view(" \t-_.\"").find(c) != std::string_view::npos; });
         read.value = read.value.substr(0, read.value.find_last_not_of(" \t;,\"") + 1);
         read.value = read.value.substr(std::min(read.value.find_first_not_of(" \t\""), read.value.size()));
         return read;
@@ -85,27 +82,23 @@ std::string_view without_brackets(std::string_view text) {
 /// type and length of the number precede it.
 std::optional<HeaderLength> length_of(const Entry& entry) {
     std::string_view value = entry.value;
-    if (std::ranges::count(value, '\t') > 1)
-        value = trim(value.substr(value.rfind('\t')));
+    if (std::ranges::count(value, '\t') > 1) value = trim(value.substr(value.rfind('\t')));
     const std::size_t end = std::min(value.find_first_not_of("+-0123456789.,eE"), value.size());
     std::string_view digits = trim(value.substr(0, end));
     digits = digits.substr(0, digits.find_last_not_of(',') + 1);
     const bool comma = digits.find(',') != std::string_view::npos;
     const auto size = number(digits, Dialect{Dialect::Separator::blanks, comma});
-    if (!size || !(size->value > 0))
-        return std::nullopt;
+    if (!size || !(size->value > 0)) return std::nullopt;
     std::string_view unit = value.substr(end);
     unit = unit.substr(std::min(unit.find_first_not_of(" \t;,\""), unit.size()));
     const auto named = length_unit(without_brackets(trim(unit.substr(0, unit.find('/')))));
-    return HeaderLength{size->value, named ? named : entry.unit,
-                        std::pow(10., size->last_place) / 2 / size->value};
+    return HeaderLength{size->value, named ? named : entry.unit, std::pow(10., size->last_place) / 2 / size->value};
 }
 
 /// The unit in mm of "heightconversionfactor(->m)"; 0 for another key.
 double conversion_unit(const std::string& key, const std::string& where) {
     const std::size_t word = key.find('>') + 1, end = key.find(')');
-    if (!key.starts_with("heightconversionfactor(") || word == 0 || end == std::string::npos || end < word)
-        return 0;
+    if (!key.starts_with("heightconversionfactor(") || word == 0 || end == std::string::npos || end < word) return 0;
     return length_unit_named(std::string_view(key).substr(word, end - word), where).in_mm;
 }
 
@@ -120,16 +113,13 @@ void take(Header& header, const Entry& entry, const std::string& where) {
     }
     if (is_unit_key(entry.key)) {
         const auto units = length_units_in(entry.value, where);
-        if (units.empty())
-            refuse(where, ": '", entry.value, "' has no length unit; write one, as in 'unit: um'");
+        if (units.empty()) refuse(where, ": '", entry.value, "' has no length unit; write one, as in 'unit: um'");
         for (const auto& [member, names] : unit_keys)
-            if (is_in(names, entry.key))
-                header.*member = member == &Header::height_unit ? units.back() : units.front();
+            if (is_in(names, entry.key)) header.*member = member == &Header::height_unit ? units.back() : units.front();
         return;
     }
     const auto length = length_of(entry);
-    const bool per_sample =
-        entry.key == "resolution" && entry.value.find("/sample") != std::string_view::npos;
+    const bool per_sample = entry.key == "resolution" && entry.value.find("/sample") != std::string_view::npos;
     const std::string_view key = per_sample ? "spacing" : std::string_view(entry.key);
     const bool is_count = is_in(" xsize ysize ", key) && !(length && length->unit); // else a length
     for (const auto& [member, names] : length_keys)
@@ -144,11 +134,9 @@ void take(Header& header, const Entry& entry, const std::string& where) {
 
 /// Whether a line contains numbers, so that it is not a line of column names.
 bool holds_number(std::string_view line) {
-    for (const auto separator :
-         {Dialect::Separator::blanks, Dialect::Separator::semicolon, Dialect::Separator::comma})
+    for (const auto separator : {Dialect::Separator::blanks, Dialect::Separator::semicolon, Dialect::Separator::comma})
         for (std::string_view cell : split(line, separator))
-            if (const auto value = number(cell, Dialect{}); value && !std::isnan(value->value))
-                return true;
+            if (const auto value = number(cell, Dialect{}); value && !std::isnan(value->value)) return true;
     return false;
 }
 
@@ -169,15 +157,13 @@ std::vector<std::string> column_names(std::string_view line, const Dialect& dial
 }
 
 /// The units in a line of column names, one per column.
-std::vector<std::optional<LengthUnit>> column_units(std::string_view line,
-                                                    const std::vector<std::string>& names,
+std::vector<std::optional<LengthUnit>> column_units(std::string_view line, const std::vector<std::string>& names,
                                                     std::size_t columns, const std::string& where) {
     std::vector<std::optional<LengthUnit>> units(columns, length_unit(without_brackets(trim(line))));
     if (units.front()) // one for all
         return units;
     for (std::size_t c = 0; c < names.size(); ++c)
-        if (const auto found = length_units_in(names[c], where); !found.empty())
-            units[c] = found.back();
+        if (const auto found = length_units_in(names[c], where); !found.empty()) units[c] = found.back();
     if (names.empty())
         if (const auto found = length_units_in(line, where); found.size() >= columns)
             std::copy_n(found.begin(), columns, units.begin());
@@ -194,22 +180,17 @@ Header read_header(const Table& table, const std::string& file) {
     header.unknown_units.resize(columns);
     header.names.resize(columns);
     for (const TextLine& line : lines)
-        if (const auto read = entry(line.text))
-            take(header, *read, at(file, line.number));
+        if (const auto read = entry(line.text)) take(header, *read, at(file, line.number));
     // The names are right above the table, their units with them or in a line below.
     for (auto line = lines.rbegin(); line != lines.rend() && line - lines.rbegin() < 3; ++line) {
         const auto read = entry(line->text);
-        if (holds_number(line->text) || (read && is_unit_key(read->key)))
-            break;
+        if (holds_number(line->text) || (read && is_unit_key(read->key))) break;
         const auto names = column_names(line->text, table.dialect, columns);
         const auto units = column_units(line->text, names, columns, at(file, line->number));
         for (std::size_t c = 0; c < columns; ++c) {
-            if (!header.units[c])
-                header.units[c] = units[c];
-            if (!names.empty() && header.unknown_units[c].empty())
-                header.unknown_units[c] = unknown_unit_in(names[c]);
-            if (!names.empty() && header.names[c].empty())
-                header.names[c] = lower(names[c]);
+            if (!header.units[c]) header.units[c] = units[c];
+            if (!names.empty() && header.unknown_units[c].empty()) header.unknown_units[c] = unknown_unit_in(names[c]);
+            if (!names.empty() && header.names[c].empty()) header.names[c] = lower(names[c]);
         }
         header.validity_column |= !names.empty() && lower(names.back()).starts_with("valid");
     }
@@ -219,8 +200,7 @@ Header read_header(const Table& table, const std::string& file) {
 bool names_spacing(std::string_view line) {
     const auto read = entry(line);
     const auto is_stated = [&](const Keys<std::optional<HeaderLength>>& known) {
-        return (known.member == &Header::spacing || known.member == &Header::width) &&
-               is_in(known.names, read->key);
+        return (known.member == &Header::spacing || known.member == &Header::width) && is_in(known.names, read->key);
     };
     return read && std::ranges::any_of(length_keys, is_stated) && length_of(*read);
 }

@@ -19,7 +19,7 @@ struct Points {
 
     std::size_t size() const { return heights.size(); } ///< missing points included
     double at(std::size_t i) const { return spacing > 0 ? static_cast<double>(i) * spacing : x[i]; } ///< mm
-    int line_of(std::size_t i) const { return line.empty() ? 0 : line[i]; } ///< 0: none
+    int line_of(std::size_t i) const { return line.empty() ? 0 : line[i]; }                          ///< 0: none
     bool is_whole(std::size_t i) const { return !std::isnan(at(i)) && !std::isnan(heights[i]); }
     void each_list(auto change) { change(x), change(heights), change(line); }
 };
@@ -27,14 +27,11 @@ struct Points {
 /// Removes points without x, and points without height at either end.
 void remove_incomplete(Points& points) {
     std::size_t first = 0, end = points.size(), kept = 0;
-    while (first < end && !points.is_whole(first))
-        ++first;
-    while (end > first && !points.is_whole(end - 1))
-        --end;
+    while (first < end && !points.is_whole(first)) ++first;
+    while (end > first && !points.is_whole(end - 1)) --end;
     for (std::size_t i = first; i < end; ++i) {
         points.each_list([&](auto& list) {
-            if (!list.empty())
-                list[kept] = list[i];
+            if (!list.empty()) list[kept] = list[i];
         });
         kept += !std::isnan(points.at(kept));
     }
@@ -44,8 +41,7 @@ void remove_incomplete(Points& points) {
 /// Fills missing heights on the straight lines between their neighbours.
 void fill(Points& points) {
     for (std::size_t left = 0, right = 1; right < points.size(); left = right++) {
-        while (std::isnan(points.heights[right]))
-            ++right;
+        while (std::isnan(points.heights[right])) ++right;
         const double run = points.at(right) - points.at(left);
         for (std::size_t i = left + 1; i < right; ++i) {
             const double share = run != 0 ? (points.at(i) - points.at(left)) / run : 0.5;
@@ -60,8 +56,7 @@ Profile resampled(const std::vector<double>& x, const std::vector<double>& heigh
     std::size_t right = 1;
     for (Index i = 0; i < nodes; ++i) {
         const double at = std::min(x.front() + static_cast<double>(i) * profile.spacing, x.back());
-        while (right + 1 < x.size() && x[right] < at)
-            ++right;
+        while (right + 1 < x.size() && x[right] < at) ++right;
         const double share = (at - x[right - 1]) / (x[right] - x[right - 1]);
         profile.heights[i] = heights[right - 1] + share * (heights[right] - heights[right - 1]);
     }
@@ -80,8 +75,7 @@ std::string counted(std::size_t count, const std::string& of) {
 }
 
 /// The points of a profile, or of a map's requested row.
-Points points_of(const HeightMap& map, const ScanOptions& options, const std::string& file,
-                 std::string& account) {
+Points points_of(const HeightMap& map, const ScanOptions& options, const std::string& file, std::string& account) {
     const std::string size = line_of(map.rows, " rows of ", map.columns(), " heights");
     if (map.rows == 1 && options.row > 0)
         throw InputError(file + ": " + map.format + " contains one profile; omit the row", "row");
@@ -94,28 +88,23 @@ Points points_of(const HeightMap& map, const ScanOptions& options, const std::st
     const Index first = map.columns() * std::max<Index>(options.row - 1, 0);
     Points points{map.spacing, map.rounding, map.x, {}, {}};
     points.heights.assign(map.heights.begin() + first, map.heights.begin() + first + map.columns());
-    if (!map.line.empty())
-        points.line.assign(map.line.begin() + first, map.line.begin() + first + map.columns());
+    if (!map.line.empty()) points.line.assign(map.line.begin() + first, map.line.begin() + first + map.columns());
     if (map.announced >= 0 && map.announced != map.columns())
         say(account, "the file announces ", map.announced, " points");
     return points;
 }
 
 /// Refuses missing points, of which the first is at `first`, or says how they are filled or listed.
-void account_for(const MissingPoints& missing, bool is_2d, const std::string& first,
-                 const ScanOptions& options, std::string& account) {
-    if (!missing)
-        return;
+void account_for(const MissingPoints& missing, bool is_2d, const std::string& first, const ScanOptions& options,
+                 std::string& account) {
+    if (!missing) return;
     if (!options.fill && !options.keep_missing)
-        throw InputError(first + ": a missing value, one of " + in_words(missing, is_2d) +
-                             "; give a height, or fill it",
-                         "fill");
-    if (options.fill)
-        expect_fillable(missing, options.max_filled, is_2d, first);
+        throw InputError(
+            first + ": a missing value, one of " + in_words(missing, is_2d) + "; give a height, or fill it", "fill");
+    if (options.fill) expect_fillable(missing, options.max_filled, is_2d, first);
     say(account, in_words(missing, is_2d), options.fill ? " filled" : ", filled for parameters only",
         is_2d ? " by Laplace's equation" : " linearly");
-    if (missing.share > doubtful_fill)
-        say(account, "warning: more than 5 % of the points are filled");
+    if (missing.share > doubtful_fill) say(account, "warning: more than 5 % of the points are filled");
 }
 
 /// The points without gaps, x growing from the first to the last, and those that were missing.
@@ -123,8 +112,7 @@ Points in_order(Points points, const ScanOptions& options, MissingPoints& missin
                 std::string& account) {
     const std::size_t all = points.size();
     std::size_t first = 0;
-    while (first < all && points.is_whole(first))
-        ++first;
+    while (first < all && points.is_whole(first)) ++first;
     const std::string place = first < all ? at(file, points.line_of(first)) : file;
     if (first < all && std::isnan(points.at(first)) && !options.fill && !options.keep_missing)
         throw InputError(place + ": a missing value; give an x, or fill it", "fill");
@@ -132,8 +120,7 @@ Points in_order(Points points, const ScanOptions& options, MissingPoints& missin
     const std::size_t kept = points.size();
     if (first < all && !options.fill && !options.keep_missing && (first == 0 || all - kept > 0))
         throw InputError(place + ": a missing value; give a height, or fill it", "fill");
-    if (kept < 2)
-        refuse(file, ": ", counted(kept, "point"), "; give 2 or more");
+    if (kept < 2) refuse(file, ": ", counted(kept, "point"), "; give 2 or more");
     if (points.at(0) > points.at(kept - 1)) {
         say(account, "x was decreasing, so the points were reversed");
         points.each_list([](auto& list) { std::reverse(list.begin(), list.end()); });
@@ -142,8 +129,7 @@ Points in_order(Points points, const ScanOptions& options, MissingPoints& missin
         profile_of(points.heights, (points.at(kept - 1) - points.at(0)) / static_cast<double>(kept - 1)));
     account_for(missing, false, place, options, account);
     fill(points);
-    if (all > kept)
-        say(account, counted(all - kept, "incomplete point"), " left out");
+    if (all > kept) say(account, counted(all - kept, "incomplete point"), " left out");
     return points;
 }
 
@@ -160,8 +146,7 @@ Profile evenly_spaced(const Points& points, Index nodes, const std::string& file
     std::vector<double> x = points.x;
     x.resize(points.size());
     if (fit.even)
-        for (std::size_t i = 0; i < x.size(); ++i)
-            x[i] = fit.first + fit.spacing * static_cast<double>(i);
+        for (std::size_t i = 0; i < x.size(); ++i) x[i] = fit.first + fit.spacing * static_cast<double>(i);
     for (std::size_t i = 1; i < x.size(); ++i)
         if (!(x[i] > x[i - 1]))
             refuse(at(file, points.line_of(i)), ": x does not grow (", x[i], " mm after ", x[i - 1],
@@ -180,32 +165,26 @@ Profile evenly_spaced(const Points& points, Index nodes, const std::string& file
 /// Finds outliers and, if `remove` is set, replaces them. Returns the ones that are kept.
 std::vector<Index> take_outliers(Profile& profile, bool remove, std::string& account) {
     std::vector<Index> found = outliers(profile.heights);
-    if (found.empty())
-        return found;
+    if (found.empty()) return found;
     const Eigen::VectorXd without = interpolated(profile.heights, found);
     const double change = (without - profile.heights).cwiseAbs().maxCoeff(),
                  range = profile.heights.maxCoeff() - profile.heights.minCoeff();
     say(account, counted(found.size(), "outlier"), " (", found.size() == 1 ? "at" : "from",
-        " x = ", profile.spacing * static_cast<double>(found.front()), " mm) ",
-        remove ? "replaced linearly" : "kept", ", up to ", change, " mm or ",
-        line_with_digits(3, 100 * change / range), " % of the range");
-    if (!remove)
-        return found;
+        " x = ", profile.spacing * static_cast<double>(found.front()), " mm) ", remove ? "replaced linearly" : "kept",
+        ", up to ", change, " mm or ", line_with_digits(3, 100 * change / range), " % of the range");
+    if (!remove) return found;
     profile.heights = without;
     return {};
 }
 
 void check(const ScanOptions& options) {
-    for (const auto& [length, name] :
-         {std::pair(options.spacing, "spacing"), std::pair(options.lambda_s, "lambda-s"),
-          std::pair(options.lambda_c, "lambda-c")})
-        if (!(length >= 0) || !std::isfinite(length))
-            refuse_value(name, length, " is out of range (a length above 0)");
+    for (const auto& [length, name] : {std::pair(options.spacing, "spacing"), std::pair(options.lambda_s, "lambda-s"),
+                                       std::pair(options.lambda_c, "lambda-c")})
+        if (!(length >= 0) || !std::isfinite(length)) refuse_value(name, length, " is out of range (a length above 0)");
     if (options.lambda_c > 0 && options.lambda_s >= options.lambda_c)
-        refuse_value("lambda-s", options.lambda_s, " mm is out of range (less than lambda-c, ",
-                     options.lambda_c, " mm)");
-    if (options.row < 0)
-        refuse("row: ", options.row, " is out of range (1 or more)");
+        refuse_value("lambda-s", options.lambda_s, " mm is out of range (less than lambda-c, ", options.lambda_c,
+                     " mm)");
+    if (options.row < 0) refuse("row: ", options.row, " is out of range (1 or more)");
     if (options.nodes != 0 && (options.nodes < 2 || options.nodes > 10'000'000))
         refuse("nodes: ", options.nodes, " is out of range (2 to 1e7)");
 }
@@ -216,8 +195,8 @@ void prepare(Profile& surface, const ScanOptions& options, std::string& account)
     if (surface.is_2d() && options.detrend == Detrend::line)
         say(account, "its plane removed");
     else
-        say(account, "form removed from the heights: ",
-            options.detrend == Detrend::none ? "nothing" : name_of(options.detrend));
+        say(account,
+            "form removed from the heights: ", options.detrend == Detrend::none ? "nothing" : name_of(options.detrend));
     if (options.lambda_s > 0) {
         surface.heights = low_passed(surface, options.lambda_s);
         say(account, "waves under lambda_s = ", options.lambda_s, " mm removed");
@@ -252,15 +231,13 @@ Scan open_scan(const std::filesystem::path& path, const ScanOptions& options) {
     Profile profile = evenly_spaced(points, options.nodes, file, account);
     if (missing) { // a node is missing if a missing point decides its height
         std::vector<double> marks(points.size(), 0);
-        for (const Index node : missing.nodes)
-            marks[static_cast<std::size_t>(node)] = 1;
+        for (const Index node : missing.nodes) marks[static_cast<std::size_t>(node)] = 1;
         points.heights = std::move(marks);
         std::string none;
         const Profile marked = evenly_spaced(points, options.nodes, file, none);
         missing.nodes.clear();
         for (Index node = 0; node < marked.nodes(); ++node)
-            if (marked.heights[node] > 0)
-                missing.nodes.push_back(node);
+            if (marked.heights[node] > 0) missing.nodes.push_back(node);
     }
     const double size = profile.heights.cwiseAbs().maxCoeff();
     const double length = profile.spacing * static_cast<double>(profile.nodes() - 1);
@@ -271,8 +248,7 @@ Scan open_scan(const std::filesystem::path& path, const ScanOptions& options) {
     prepare(profile, options, account);
     const double range = profile.heights.maxCoeff() - profile.heights.minCoeff();
     if (!(range > 1e-12 * size))
-        refuse(file, ": the heights are constant (", name_of(options.detrend),
-               " removed); give a rough profile");
+        refuse(file, ": the heights are constant (", name_of(options.detrend), " removed); give a rough profile");
     const double rms = std::sqrt((profile.heights.array() - profile.heights.mean()).square().mean());
     return {.name = file,
             .measured = std::move(profile),
@@ -288,16 +264,14 @@ Map read_map(const std::filesystem::path& path, const ScanOptions& options) {
     HeightMap read = read_heights(path, options, true);
     const Extent shape{read.columns(), read.rows};
     if (shape.columns < 2 || shape.rows < 2)
-        refuse(file, ": ", shape.rows, " rows of ", shape.columns,
-               " heights; give a matrix of 2 x 2 or more");
+        refuse(file, ": ", shape.rows, " rows of ", shape.columns, " heights; give a matrix of 2 x 2 or more");
     Map map{{std::move(read.heights), read.spacing, shape.rows, read.row_spacing}};
     Profile& surface = map.heights;
     if (!std::isfinite(surface.spacing * static_cast<double>(surface.nodes()) * surface.row_spacing))
         refuse_value("spacing", surface.spacing, " mm x ", surface.row_spacing,
                      " mm is too large for an area; check the unit");
     std::string account;
-    say(account, "a map of ", shape.columns, " x ", shape.rows, " heights (", read.format, ", ", read.units,
-        ")");
+    say(account, "a map of ", shape.columns, " x ", shape.rows, " heights (", read.format, ", ", read.units, ")");
     map.missing = missing_points(surface);
     if (map.missing) {
         const Index first = map.missing.nodes.front();
@@ -321,12 +295,10 @@ Grid Scan::grid(bool periodic) const {
 
 Profile Scan::on(const Grid& wanted) const {
     if (wanted.nodes != measured.nodes())
-        throw InputError(
-            line_of(name, ": a grid of ", wanted.nodes, " nodes; use the scan's ", measured.nodes()),
-            "nodes");
+        throw InputError(line_of(name, ": a grid of ", wanted.nodes, " nodes; use the scan's ", measured.nodes()),
+                         "nodes");
     Profile profile = measured;
-    if (wanted.length != grid(wanted.periodic).length)
-        profile.spacing = wanted.spacing();
+    if (wanted.length != grid(wanted.periodic).length) profile.spacing = wanted.spacing();
     return profile;
 }
 

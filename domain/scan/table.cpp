@@ -15,9 +15,7 @@ constexpr std::size_t max_rows = 10'000'000, max_cells = 20'000'000;
 constexpr std::size_t max_scan_columns = 3;
 
 /// Whether a line has only blanks, or a spreadsheet's empty cells.
-bool empty_line(std::string_view line) {
-    return line.find_first_not_of(" \t\v\f;,") == std::string_view::npos;
-}
+bool empty_line(std::string_view line) { return line.find_first_not_of(" \t\v\f;,") == std::string_view::npos; }
 
 /// The text after a line's comment mark; nothing if the line is not a comment.
 std::optional<std::string_view> comment(std::string_view line) {
@@ -31,8 +29,7 @@ std::optional<std::string_view> comment(std::string_view line) {
 /// A row without the comment after it.
 std::string_view without_remark(std::string_view line) {
     for (std::size_t i = 1; i < line.size(); ++i)
-        if ((line[i] == '#' || line[i] == '%') && (line[i - 1] == ' ' || line[i - 1] == '\t'))
-            return line.substr(0, i);
+        if ((line[i] == '#' || line[i] == '%') && (line[i - 1] == ' ' || line[i - 1] == '\t')) return line.substr(0, i);
     return line;
 }
 
@@ -98,11 +95,9 @@ Guess best_guess(const Lines& lines, bool one_column) {
         // The last cells of a row may be empty, if a mark separates them.
         const bool is_matrix = !widths.empty() && widths.rbegin()->first > max_scan_columns;
         for (const auto& [width, count] : widths)
-            if (guess.columns == 0 || count >= widths[guess.columns] ||
-                (is_matrix && dialect.separator != blanks))
+            if (guess.columns == 0 || count >= widths[guess.columns] || (is_matrix && dialect.separator != blanks))
                 guess.columns = width;
-        if (guess.rows > best.rows ||
-            (guess.rows == best.rows && best.columns != wanted && guess.columns == wanted))
+        if (guess.rows > best.rows || (guess.rows == best.rows && best.columns != wanted && guess.columns == wanted))
             best = guess;
     }
     return best;
@@ -142,39 +137,33 @@ std::size_t separated(std::string_view line, Dialect::Separator separator) {
 
 Table read_table(const Lines& lines, const std::string& file, bool one_column) {
     const Guess guess = best_guess(lines, one_column);
-    if (guess.rows == 0)
-        refuse(file, ": contains no numbers; give lines of x and height");
+    if (guess.rows == 0) refuse(file, ": contains no numbers; give lines of x and height");
     Table table;
     table.dialect = guess.dialect;
     table.columns = guess.columns;
-    if (table.columns > max_rows)
-        refuse(file, ": more than 1e7 numbers in a line; give fewer");
+    if (table.columns > max_rows) refuse(file, ": more than 1e7 numbers in a line; give fewer");
     // Memory for all possible cells, but only a few times the file's size.
     const auto characters = static_cast<std::size_t>(lines[lines.size() - 1].end() - lines[0].begin());
-    table.cells.reserve(std::min({max_cells, lines.size() * table.columns,
-                                  std::max(characters / 2, max_scan_columns * lines.size())}));
+    table.cells.reserve(
+        std::min({max_cells, lines.size() * table.columns, std::max(characters / 2, max_scan_columns * lines.size())}));
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const int line = static_cast<int>(i + 1);
         const bool is_wide =
             table.columns > max_scan_columns && separated(lines[i], table.dialect.separator) >= table.columns;
-        if (empty_line(lines[i]) && !(is_wide && table.rows() > 0))
-            continue;
+        if (empty_line(lines[i]) && !(is_wide && table.rows() > 0)) continue;
         if (const auto remark = comment(lines[i])) {
-            if (table.rows() == 0)
-                table.header.push_back({line, *remark});
+            if (table.rows() == 0) table.header.push_back({line, *remark});
             continue;
         }
         const std::size_t before = table.cells.size();
         const RowSize row = visit_row(lines[i], table.dialect, [&](const Number& cell) {
-            if (table.cells.size() - before < table.columns)
-                table.cells.push_back(cell);
+            if (table.cells.size() - before < table.columns) table.cells.push_back(cell);
         });
         const bool is_row = (row.cells > 0 || empty_line(lines[i])) && (table.rows() > 0 || row.any_number);
-        const bool is_lone = is_row && table.columns > 1 && row.cells == 1 && table.rows() == 0 &&
-                             !std::isnan(table.cells.back().value);
+        const bool is_lone =
+            is_row && table.columns > 1 && row.cells == 1 && table.rows() == 0 && !std::isnan(table.cells.back().value);
         if (is_lone && (is_count(table.cells.back()) || table.cells.back().last_place < 0)) {
-            if (is_count(table.cells.back()))
-                table.announced = static_cast<long>(table.cells.back().value);
+            if (is_count(table.cells.back())) table.announced = static_cast<long>(table.cells.back().value);
             ++table.lone;
             table.cells.resize(before);
         } else if (is_row) {
@@ -182,10 +171,8 @@ Table read_table(const Lines& lines, const std::string& file, bool one_column) {
                 (row.cells < table.columns && table.columns > max_scan_columns && !is_wide))
                 refuse(at(file, line), ": ", row.cells, " columns, but the other rows have ", table.columns,
                        "; correct this row");
-            if (table.rows() == max_rows)
-                refuse(at(file, line), ": more than 1e7 points; give fewer");
-            if (before + table.columns > max_cells)
-                refuse(file, ": more than 2e7 numbers; give fewer");
+            if (table.rows() == max_rows) refuse(at(file, line), ": more than 1e7 points; give fewer");
+            if (before + table.columns > max_cells) refuse(file, ": more than 2e7 numbers; give fewer");
             table.cells.resize(before + table.columns, Number{std::nan(""), 0});
             table.line.push_back(line);
         } else if (table.rows() == 0) {
@@ -196,8 +183,7 @@ Table read_table(const Lines& lines, const std::string& file, bool one_column) {
                    table.columns == 1 ? " number" : " numbers", "; correct this row");
         }
     }
-    if (table.columns == 1)
-        take_lone_lines(table);
+    if (table.columns == 1) take_lone_lines(table);
     return table;
 }
 

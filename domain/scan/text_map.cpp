@@ -25,28 +25,23 @@ class Reader {
     bool starts(std::string_view start) const { return !done() && text_.starts_with(start); }
 
     [[noreturn]] void refuse(const std::string& expected) const {
-        if (done())
-            rough::refuse(file_, ": ends early, before ", expected, "; export it again");
-        rough::refuse(at(file_, line()), ": found '", text_.substr(0, 60), "' instead of ", expected,
-                      "; correct it");
+        if (done()) rough::refuse(file_, ": ends early, before ", expected, "; export it again");
+        rough::refuse(at(file_, line()), ": found '", text_.substr(0, 60), "' instead of ", expected, "; correct it");
     }
     double positive(std::string_view word, const std::string& what) const {
         const auto value = number(word, Dialect{});
-        if (!value || !(value->value > 0))
-            refuse(what + " above 0");
+        if (!value || !(value->value > 0)) refuse(what + " above 0");
         return value->value;
     }
     long count(std::string_view word) const {
         constexpr double max_count = 1e9;
         const double value = positive(word, "a count");
-        if (value > max_count)
-            refuse("a count up to 1e9");
+        if (value > max_count) refuse("a count up to 1e9");
         return std::lround(value);
     }
     LengthUnit unit(std::string_view word) const {
         const auto unit = length_unit(word);
-        if (!unit)
-            refuse("a length unit");
+        if (!unit) refuse("a length unit");
         return *unit;
     }
 
@@ -57,8 +52,7 @@ class Reader {
             text_ = lines_[at_];
             std::replace(text_.begin(), text_.end(), '\x1a', ' ');
             text_ = trim(text_);
-            if (!text_.empty())
-                return;
+            if (!text_.empty()) return;
         }
     }
     const Lines& lines_;
@@ -78,8 +72,7 @@ void read_heights(HeightMap& map, Reader& in, std::string_view end,
     for (; !in.done() && (end.empty() || !in.starts(end)) && heights.size() < count; in.next())
         for_each_cell(in.text(), Dialect::Separator::blanks, [&](std::string_view word) {
             const auto height = number(word, Dialect{});
-            if (!height)
-                in.refuse("a height");
+            if (!height) in.refuse("a height");
             expect_points(static_cast<std::int64_t>(heights.size()) + 1, 2, in.file());
             heights.push_back(height->value);
             map.line.push_back(in.line());
@@ -92,15 +85,13 @@ void read_heights(HeightMap& map, Reader& in, std::string_view end,
 
 /// Reads notes, which state the spacing, up to a line that begins with `start`, then heights up to `end`.
 template <class Note>
-void read_noted(HeightMap& map, Reader& in, std::string_view start, std::string_view end,
-                const std::string& spacing, Note note) {
+void read_noted(HeightMap& map, Reader& in, std::string_view start, std::string_view end, const std::string& spacing,
+                Note note) {
     for (in.next(); !in.starts(start); in.next()) {
-        if (in.done())
-            in.refuse("'" + std::string(start) + "' before the heights");
+        if (in.done()) in.refuse("'" + std::string(start) + "' before the heights");
         note();
     }
-    if (!(map.spacing > 0))
-        in.refuse(spacing + " before the heights");
+    if (!(map.spacing > 0)) in.refuse(spacing + " before the heights");
     in.next();
     read_heights(map, in, end);
 }
@@ -161,20 +152,16 @@ void read_height_axis(HeightMap& map, Reader& in) {
 /// ISO 5436-2: four records that each end with ETX: what it is and its axes, notes, the heights, a check sum.
 HeightMap softgauge(Reader in) {
     in.next();
-    if (!in.starts("PRF"))
-        in.refuse("a profile (PRF)");
+    if (!in.starts("PRF")) in.refuse("a profile (PRF)");
     in.next();
     const Axis x = axis(in, "CX");
-    if (x.words[1] != "I" || x.words.size() < 7)
-        in.refuse("an incremental axis CX (I) with its spacing");
+    if (x.words[1] != "I" || x.words.size() < 7) in.refuse("an incremental axis CX (I) with its spacing");
     HeightMap map{"ISO 5436-2 (SMD)"};
     map.spacing = in.positive(x.words[6], "a spacing") * x.factor * x.unit.in_mm;
     read_height_axis(map, in);
     for (int record = 1; record <= 2; ++record) {
-        while (!in.done() && !in.starts("\x03"))
-            in.next();
-        if (in.done())
-            in.refuse("records that end with ETX");
+        while (!in.done() && !in.starts("\x03")) in.next();
+        if (in.done()) in.refuse("records that end with ETX");
         in.next();
     }
     read_heights(map, in, "\x03");
@@ -188,8 +175,7 @@ HeightMap talysurf(Reader in) {
     HeightMap map{"Talysurf PRF"};
     read_height_axis(map, in);
     in.next();
-    if (!in.starts("EOR"))
-        in.refuse("EOR");
+    if (!in.starts("EOR")) in.refuse("EOR");
     read_noted(map, in, "EOR", "EOR", "a line 'SPACING CX'", [&] {
         const auto words = in.words();
         if (words.size() > 2 && words[0] == "SPACING" && words[1] == "CX")
@@ -212,8 +198,7 @@ HeightMap ptb(Reader in) {
     const auto name = std::find_if(words.begin(), words.end(), [](auto word) {
         return lower(word).starts_with("x-resolution") || lower(word).starts_with("x-aufl");
     });
-    if (words.end() - name < 2)
-        in.refuse("a resolution");
+    if (words.end() - name < 2) in.refuse("a resolution");
     HeightMap map{.format = "PTB's PR", .height_unit = {"µm", 1e-3}};
     map.spacing = 1 / in.positive(name[1], "a resolution");
     map.announced = in.count(words.back());
@@ -244,8 +229,7 @@ HeightMap wyko(Reader in) {
     double wavelength = 0, multiplier = 1, aspect = 1;
     for (in.next(); !in.starts("RAW_DATA"); in.next()) {
         const auto words = in.words();
-        if (in.done())
-            in.refuse("RAW_DATA before the heights");
+        if (in.done()) in.refuse("RAW_DATA before the heights");
         const std::string key = lower(words[0]);
         const std::string_view value = words.back();
         if (words.size() > 2 && lower(words[1]) == "size" && (key == "x" || key == "y"))
@@ -260,15 +244,13 @@ HeightMap wyko(Reader in) {
             multiplier = in.positive(value, "a factor");
     }
     expect_points(columns, map.rows, in.file());
-    if (!(map.row_spacing > 0) || !(in_nm || wavelength > 0))
-        in.refuse("Pixel_size and Wavelength before the heights");
+    if (!(map.row_spacing > 0) || !(in_nm || wavelength > 0)) in.refuse("Pixel_size and Wavelength before the heights");
     map.spacing = map.row_spacing * aspect;
     map.height_factor = in_nm ? 1 : wavelength / multiplier;
     in.next();
     const Index all = columns * map.rows;
     read_heights(map, in, "", static_cast<std::size_t>(all));
-    if (map.heights.size() != all)
-        in.refuse(line_of(all, " heights"));
+    if (map.heights.size() != all) in.refuse(line_of(all, " heights"));
     map.heights = map.heights.reshaped(map.rows, columns).transpose().reshaped().eval();
     map.line.clear(); // they are in another order
     return map;
@@ -282,8 +264,7 @@ HeightMap zygo(const Lines& lines, const std::string& file) {
     const auto numbers_of = [&](std::size_t line, std::size_t count) {
         std::vector<double> numbers;
         for (const std::string_view word : split(line < lines.size() ? lines[line] : "", Dialect().separator))
-            if (const auto value = number(word, Dialect{}))
-                numbers.push_back(value->value);
+            if (const auto value = number(word, Dialect{})) numbers.push_back(value->value);
         if (numbers.size() < count)
             refuse(at(file, static_cast<int>(line + 1)), ": fewer than ", count,
                    " numbers in the header of a Zygo XYZ file; export it again");
@@ -297,15 +278,13 @@ HeightMap zygo(const Lines& lines, const std::string& file) {
     if (!(map.spacing > 0))
         refuse(at(file, 8), ": no lateral calibration; calibrate the instrument, or export a matrix");
     map.heights = Eigen::VectorXd::Constant(columns * map.rows, std::nan(""));
-    while (!in.done() && !in.starts("#"))
-        in.next();
+    while (!in.done() && !in.starts("#")) in.next();
     for (in.next(); !in.done() && !in.starts("#"); in.next()) {
         const auto words = in.words();
         const bool no_data = in.text().ends_with("No Data");
         const auto x = number(words[0], Dialect{}), y = words.size() > 2 ? number(words[1], Dialect{}) : x,
                    z = no_data ? Number{std::nan(""), 0} : number(words.back(), Dialect{});
-        const Index i = x ? std::lround(x->value - size[0]) : -1,
-                    j = y ? std::lround(y->value - size[1]) : -1;
+        const Index i = x ? std::lround(x->value - size[0]) : -1, j = y ? std::lround(y->value - size[1]) : -1;
         if (words.size() < 3 || !z || i < 0 || i >= columns || j < 0 || j >= map.rows)
             in.refuse("a column, a row and a height");
         map.heights[j * columns + i] = z->value;
@@ -317,26 +296,19 @@ HeightMap zygo(const Lines& lines, const std::string& file) {
 
 std::optional<HeightMap> text_map(const Lines& lines, const std::string& file) {
     const Reader in(lines, file);
-    if (in.starts("ISO 5436"))
-        return softgauge(in);
-    if (in.starts("SigmaSurf_Data"))
-        return sigma_surf(in);
-    if (in.starts("Wyko ASCII"))
-        return wyko(in);
-    if (in.starts("Zygo XYZ"))
-        return zygo(lines, file);
+    if (in.starts("ISO 5436")) return softgauge(in);
+    if (in.starts("SigmaSurf_Data")) return sigma_surf(in);
+    if (in.starts("Wyko ASCII")) return wyko(in);
+    if (in.starts("Zygo XYZ")) return zygo(lines, file);
     for (std::size_t i = 0; in.starts("a") && i < std::min<std::size_t>(lines.size(), 30); ++i)
-        if (lower(trim(lines[i])).starts_with("xscale"))
-            return surface_data_file(in);
+        if (lower(trim(lines[i])).starts_with("xscale")) return surface_data_file(in);
     Reader second = in;
     second.next();
-    if (is_ptb_axis(second.text()))
-        return ptb(in);
+    if (is_ptb_axis(second.text())) return ptb(in);
     Reader third = second;
     third.next();
     const auto words = second.words();
-    if (!words.empty() && words.back() == "PRF" && third.starts("CX"))
-        return talysurf(in);
+    if (!words.empty() && words.back() == "PRF" && third.starts("CX")) return talysurf(in);
     return std::nullopt;
 }
 

@@ -23,13 +23,10 @@ pugi::xml_node child(const pugi::xml_node& of, std::string_view name) {
     });
 }
 
-std::string_view text(const pugi::xml_node& of, std::string_view name) {
-    return trim(child(of, name).child_value());
-}
+std::string_view text(const pugi::xml_node& of, std::string_view name) { return trim(child(of, name).child_value()); }
 
 /// Parses the text, which must outlive the document.
-void load_xml(pugi::xml_document& document, std::string& xml, const std::string& name,
-              const std::string& file) {
+void load_xml(pugi::xml_document& document, std::string& xml, const std::string& name, const std::string& file) {
     if (std::ranges::count_if(xml, [](char c) { return c == '<' || c == '='; }) > max_xml_nodes)
         refuse(file, ": its ", name, " has more than ", max_xml_nodes,
                " elements and attributes; store the heights as binary");
@@ -40,8 +37,7 @@ void load_xml(pugi::xml_document& document, std::string& xml, const std::string&
 /// The number in a node; `fallback` if it is missing or empty.
 double value(const pugi::xml_node& of, std::string_view name, double fallback, const std::string& file) {
     const std::string_view word = text(of, name);
-    if (word.empty())
-        return fallback;
+    if (word.empty()) return fallback;
     const auto read = number(word, Dialect{});
     if (!read || std::isnan(read->value))
         refuse(file, ": main.xml: ", name, " '", word.substr(0, 60), "' is not a number; export it again");
@@ -52,8 +48,7 @@ std::int64_t size(const pugi::xml_node& of, std::string_view name, double fallba
     constexpr double max_size = 20'000'000;
     const double count = value(of, name, fallback, file);
     if (!(count >= 1 && count <= max_size) || count != std::floor(count))
-        refuse(file, ": main.xml: ", name, " ", count, " is out of range (a whole number from 1 to ",
-               max_size, ")");
+        refuse(file, ": main.xml: ", name, " ", count, " is out of range (a whole number from 1 to ", max_size, ")");
     return static_cast<std::int64_t>(count);
 }
 
@@ -69,8 +64,8 @@ double increment(const pugi::xml_node& axes, std::string_view name, const std::s
     const pugi::xml_node axis = child(axes, name);
     const double step = value(axis, "Increment", 0, file);
     if (text(axis, "AxisType") != "I" || !(step > 0))
-        refuse(file, ": main.xml: axis ", name, " of type '", text(axis, "AxisType").substr(0, 60),
-               "' and increment ", step, "; use an incremental axis (I) with its increment");
+        refuse(file, ": main.xml: axis ", name, " of type '", text(axis, "AxisType").substr(0, 60), "' and increment ",
+               step, "; use an incremental axis (I) with its increment");
     return step;
 }
 
@@ -82,10 +77,8 @@ Eigen::VectorXd listed(const pugi::xml_node& list, Index count, const std::strin
         std::string_view word = trim(datum.child_value());
         word = trim(word.substr(word.rfind(';') + 1)); // npos + 1 is 0
         const auto height = number(word, Dialect{});
-        if (!height)
-            refuse(file, ": main.xml: height '", word.substr(0, 60), "' is not a number; export it again");
-        if (found++ < count)
-            heights[found - 1] = height->value;
+        if (!height) refuse(file, ": main.xml: height '", word.substr(0, 60), "' is not a number; export it again");
+        if (found++ < count) heights[found - 1] = height->value;
     }
     if (found != count)
         refuse(file, ": main.xml lists ", found, " heights, but announces ", count, "; export it again");
@@ -105,11 +98,10 @@ std::string md5_of(std::string_view bytes) {
     return text;
 }
 
-void expect_checksum(std::string_view given, std::string_view bytes, const std::string& part,
-                     const std::string& file) {
+void expect_checksum(std::string_view given, std::string_view bytes, const std::string& part, const std::string& file) {
     if (!given.empty() && lower(given) != md5_of(bytes))
-        refuse(file, ": its ", part, " has the MD5 ", md5_of(bytes), ", but the archive gives ",
-               given.substr(0, 60), "; export it again");
+        refuse(file, ": its ", part, " has the MD5 ", md5_of(bytes), ", but the archive gives ", given.substr(0, 60),
+               "; export it again");
 }
 
 } // namespace
@@ -122,25 +114,22 @@ HeightMap read_x3p(const Zip& archive, const std::string& file) {
                archive.entry("index.xml", max_xml_bytes) ? " (Sensofar's PLUX)" : "",
                "; export it as X3P, SDF or text");
     if (const auto checksum = archive.entry(folder + "md5checksum.hex", 1000))
-        expect_checksum(std::string_view(*checksum).substr(0, checksum->find_first_of(" \t\r\n*")), *xml,
-                        "main.xml", file);
+        expect_checksum(std::string_view(*checksum).substr(0, checksum->find_first_of(" \t\r\n*")), *xml, "main.xml",
+                        file);
     pugi::xml_document document;
     load_xml(document, *xml, "main.xml", file);
     const pugi::xml_node root = document.document_element(), axes = child(child(root, "Record1"), "Axes"),
                          heights = child(axes, "CZ"), record = child(root, "Record3"),
                          matrix = child(record, "MatrixDimension"), link = child(record, "DataLink");
-    if (!axes || !record)
-        refuse(file, ": its main.xml has no axes or no data; export it as ISO 5436-2 (X3P)");
+    if (!axes || !record) refuse(file, ": its main.xml has no axes or no data; export it as ISO 5436-2 (X3P)");
     HeightMap map{.format = "ISO 25178-72 (X3P)", .height_unit = {"m", 1e3}};
-    const std::int64_t columns =
-        matrix ? size(matrix, "SizeX", 1, file) : size(record, "ListDimension", 0, file);
+    const std::int64_t columns = matrix ? size(matrix, "SizeX", 1, file) : size(record, "ListDimension", 0, file);
     map.rows = matrix ? size(matrix, "SizeY", 1, file) : 1;
     if (matrix && size(matrix, "SizeZ", 1, file) != 1)
         refuse(file, ": main.xml has several layers; export one (SizeZ 1)");
     expect_points(columns, map.rows, file);
     map.spacing = 1e3 * increment(axes, "CX", file);
-    if (map.rows > 1)
-        map.row_spacing = 1e3 * increment(axes, "CY", file);
+    if (map.rows > 1) map.row_spacing = 1e3 * increment(axes, "CY", file);
     map.height_factor = value(heights, "Increment", 1, file);
     if (!(map.height_factor > 0))
         refuse(file, ": main.xml: the heights' increment ", map.height_factor, " is out of range (above 0)");
@@ -152,8 +141,7 @@ HeightMap read_x3p(const Zip& archive, const std::string& file) {
     }
     const auto linked = [&](const char* name, const char* checksum, std::int64_t max_size) {
         std::string path(text(link, name));
-        if (path.starts_with("./"))
-            path.erase(0, 2);
+        if (path.starts_with("./")) path.erase(0, 2);
         std::optional<std::string> found;
         if (!path.empty()) {
             found = archive.entry(folder + path, static_cast<std::size_t>(max_size));
@@ -165,15 +153,13 @@ HeightMap read_x3p(const Zip& archive, const std::string& file) {
         return found;
     };
     const auto data = linked("PointDataLink", "MD5ChecksumPointData", 8 * count);
-    if (!data)
-        refuse(file, ": main.xml has no link to heights; add a PointDataLink");
+    if (!data) refuse(file, ": main.xml has no link to heights; add a PointDataLink");
     map.heights = stored_numbers(*data, count, type_of(text(heights, "DataType"), file), std::nan(""), file);
     if (const auto mask = linked("ValidPointsLink", "MD5ChecksumValidPoints", count / 8 + 1)) {
         if (8 * static_cast<Index>(mask->size()) < count)
             refuse(file, ": its valid points end early, before ", count, " bits; export it again");
         for (Index i = 0; i < count; ++i)
-            if (!((*mask)[static_cast<std::size_t>(i / 8)] >> i % 8 & 1))
-                map.heights[i] = std::nan("");
+            if (!((*mask)[static_cast<std::size_t>(i / 8)] >> i % 8 & 1)) map.heights[i] = std::nan("");
     }
     return map;
 }
@@ -185,16 +171,14 @@ std::optional<std::string> sheet_of(const Zip& archive, const std::string& file)
         load_xml(document, *xml, "sharedStrings.xml", file);
         for (const pugi::xml_node& item : document.document_element().children()) {
             std::string& text = shared.emplace_back();
-            for (const auto& part : item.select_nodes(".//*[local-name()='t']"))
-                text += part.node().child_value();
+            for (const auto& part : item.select_nodes(".//*[local-name()='t']")) text += part.node().child_value();
         }
     }
     std::optional<std::string> best;
     long most = -1;
     for (int sheet = 1; sheet < 1000; ++sheet) {
         auto xml = archive.entry("xl/worksheets/sheet" + std::to_string(sheet) + ".xml", max_xml_bytes);
-        if (!xml)
-            break;
+        if (!xml) break;
         load_xml(document, *xml, "sheet " + std::to_string(sheet), file);
         std::vector<std::string> rows;
         std::size_t widest = 0; // column
@@ -204,8 +188,7 @@ std::optional<std::string> sheet_of(const Zip& archive, const std::string& file)
             std::string& line = rows.emplace_back();
             for (const pugi::xml_node& cell : row.children()) {
                 std::size_t place = 0; // "AB12" is in column 28
-                for (const char* c = cell.attribute("r").value(); *c >= 'A' && *c <= 'Z' && place < 20000;
-                     ++c)
+                for (const char* c = cell.attribute("r").value(); *c >= 'A' && *c <= 'Z' && place < 20000; ++c)
                     place = 26 * place + static_cast<std::size_t>(*c - 'A') + 1;
                 const std::size_t tabs = place > column + 1 ? place - column - 1 : 0;
                 line.append(tabs + (column > 0), ';');
@@ -216,8 +199,7 @@ std::optional<std::string> sheet_of(const Zip& archive, const std::string& file)
                     if (const auto index = number(word, Dialect{});
                         index && index->value >= 0 && index->value < static_cast<double>(shared.size()))
                         word = shared[static_cast<std::size_t>(index->value)];
-                if (type == "inlineStr")
-                    word = text(child(cell, "is"), "t");
+                if (type == "inlineStr") word = text(child(cell, "is"), "t");
                 numbers += type.empty() || type == "n";
                 std::ranges::replace_if(
                     word, [](char c) { return c == ';' || c == '\n'; }, ' ');
@@ -225,8 +207,7 @@ std::optional<std::string> sheet_of(const Zip& archive, const std::string& file)
             }
             widest = std::max(widest, column);
         }
-        if (numbers <= most)
-            continue;
+        if (numbers <= most) continue;
         most = numbers;
         best = "";
         for (std::string& line : rows) { // empty cells at its end are missing heights
@@ -239,8 +220,7 @@ std::optional<std::string> sheet_of(const Zip& archive, const std::string& file)
 
 std::string x3p(const Profile& surface) {
     std::string data;
-    for (const double height : surface.heights)
-        append_little_endian(data, 1e-3 * height);
+    for (const double height : surface.heights) append_little_endian(data, 1e-3 * height);
     const auto axis = [](const char* name, const char* type, const std::string& step) {
         return "      <" + std::string(name) + "><AxisType>" + type + "</AxisType><DataType>D</DataType>" +
                "<Increment>" + step + "</Increment><Offset>0</Offset></" + name + ">\n";
@@ -251,8 +231,7 @@ std::string x3p(const Profile& surface) {
         "  <Record1>\n    <Revision>ISO5436 - 2000</Revision>\n    <FeatureType>" +
         std::string(surface.is_2d() ? "SUR" : "PRF") + "</FeatureType>\n    <Axes>\n" +
         axis("CX", "I", ga::number(1e-3 * surface.spacing)) +
-        axis("CY", "I", surface.is_2d() ? ga::number(1e-3 * surface.row_spacing) : "1") +
-        axis("CZ", "A", "1") +
+        axis("CY", "I", surface.is_2d() ? ga::number(1e-3 * surface.row_spacing) : "1") + axis("CZ", "A", "1") +
         "    </Axes>\n  </Record1>\n"
         "  <Record2>\n    <Date>1980-01-01T00:00:00Z</Date>\n    <Creator>rugosa</Creator>\n"
         "    <Instrument><Manufacturer>none</Manufacturer><Model>rugosa</Model><Serial>none</Serial>"
@@ -267,8 +246,7 @@ std::string x3p(const Profile& surface) {
         md5_of(data) +
         "</MD5ChecksumPointData></DataLink>\n  </Record3>\n"
         "  <Record4><ChecksumFile>md5checksum.hex</ChecksumFile></Record4>\n</p:ISO5436_2>\n";
-    return zipped(
-        {{"main.xml", xml}, {"bindata/data.bin", data}, {"md5checksum.hex", md5_of(xml) + " *main.xml\n"}});
+    return zipped({{"main.xml", xml}, {"bindata/data.bin", data}, {"md5checksum.hex", md5_of(xml) + " *main.xml\n"}});
 }
 
 } // namespace rough

@@ -28,9 +28,7 @@ const char* name_of(const Target& target) {
 }
 
 /// Whether a misfit that no surface can avoid is the largest so far.
-bool is_worse(double misfit, const OutOfReach& worst) {
-    return misfit > negligible && 1 - misfit < worst.bound;
-}
+bool is_worse(double misfit, const OutOfReach& worst) { return misfit > negligible && 1 - misfit < worst.bound; }
 
 /// Stiffness and contact fraction never fall.
 void find_fall(const Target& target, std::vector<OutOfReach>& found) {
@@ -42,8 +40,7 @@ void find_fall(const Target& target, std::vector<OutOfReach>& found) {
             if (const double misfit = allowed.min_misfit(i, j); is_worse(misfit, worst))
                 worst = {line_with_digits(6, what, " falls from ", allowed.lower(i), " at ", target.x[i],
                                           unit_of(target), " to ", allowed.upper(j), " at ", target.x[j],
-                                          unit_of(target),
-                                          ": contact only grows under load, so it never falls"),
+                                          unit_of(target), ": contact only grows under load, so it never falls"),
                          {target.x[i], target.x[j]},
                          1 - misfit};
     found.push_back(worst);
@@ -91,23 +88,19 @@ void find_beyond_limits(const Target& target, const Load& load, std::vector<OutO
                 stiff.reason = line_with_digits(6, "stiffness ", allowed.lower(k), " MPa/mm at ", x,
                                                 " MPa is above that of full contact, ", max, " MPa/mm");
                 if (highest(min) > max)
-                    stiff.reason += line_with_digits(6, ", even as the last load steps continue it, ",
-                                                     highest(min), " MPa/mm");
+                    stiff.reason +=
+                        line_with_digits(6, ", even as the last load steps continue it, ", highest(min), " MPa/mm");
             }
         }
         const double under = target.weight * (lowest - allowed.upper(k)) / target.y[k];
-        if (under <= negligible)
-            continue;
+        if (under <= negligible) continue;
         soft.at.push_back(x);
-        if (!is_worse(under, soft))
-            continue;
+        if (!is_worse(under, soft)) continue;
         soft.bound = 1 - under;
-        soft.reason =
-            line_with_digits(6, name_of(target), " ", allowed.upper(k), " MPa/mm at ", x,
-                             " MPa is below that of a single node in contact, ", one_node, " MPa/mm");
+        soft.reason = line_with_digits(6, name_of(target), " ", allowed.upper(k), " MPa/mm at ", x,
+                                       " MPa is below that of a single node in contact, ", one_node, " MPa/mm");
         if (lowest < one_node)
-            soft.reason +=
-                line_with_digits(6, ", even as its first load steps continue it, ", lowest, " MPa/mm");
+            soft.reason += line_with_digits(6, ", even as its first load steps continue it, ", lowest, " MPa/mm");
     }
     found.insert(found.end(), {stiff, soft});
 }
@@ -130,27 +123,25 @@ void find_beyond_loads(const Target& target, const Load& load, std::vector<OutOf
                 const double misfit =
                     target.weight * (allowed.lower(j) - chord) / (y + (1 - t) * y_i + t * target.y[k]);
                 if (is_worse(misfit, steep))
-                    steep = {line_with_digits(6, "pressure ", y, " MPa at ", x,
-                                              " mm is above the straight line from ", y_i, " MPa at ", x_i,
-                                              " mm to ", target.y[k], " MPa at ", target.x[k],
+                    steep = {line_with_digits(6, "pressure ", y, " MPa at ", x, " mm is above the straight line from ",
+                                              y_i, " MPa at ", x_i, " mm to ", target.y[k], " MPa at ", target.x[k],
                                               " mm: stiffness never falls, so the load curve is convex"),
                              {x},
                              1 - misfit};
             }
-            const auto rises = [&](double beyond, const char* how, double limit, bool on_this_grid,
-                                   OutOfReach& worst) {
+            const auto rises = [&](double beyond, const char* how, double limit, bool on_this_grid, OutOfReach& worst) {
                 const double misfit = target.weight * beyond / (y + y_i);
                 if (is_worse(misfit, worst))
-                    worst = {line_with_digits(6, "pressure rises to ", y, " MPa at ", x, " mm ", how, ", ",
-                                              limit, " MPa/mm"),
+                    worst = {line_with_digits(6, "pressure rises to ", y, " MPa at ", x, " mm ", how, ", ", limit,
+                                              " MPa/mm"),
                              {x},
                              1 - misfit,
                              on_this_grid};
             };
-            rises(allowed.lower(j) - (high_i + limits.max * (x - x_i)), "faster than with full contact",
-                  limits.max, load.on_map, steep);
-            rises(low_i + limits.min * (x - x_i) - allowed.upper(j),
-                  "slower than with a single node in contact", limits.min, true, light);
+            rises(allowed.lower(j) - (high_i + limits.max * (x - x_i)), "faster than with full contact", limits.max,
+                  load.on_map, steep);
+            rises(low_i + limits.min * (x - x_i) - allowed.upper(j), "slower than with a single node in contact",
+                  limits.min, true, light);
         }
     }
     found.insert(found.end(), {steep, light});
@@ -167,10 +158,8 @@ StiffnessLimits stiffness_limits(const Model& model) {
     // Full contact of a line grows stiffer as the grid grows coarser, so a coarse grid gives an upper bound.
     // That of a map grows softer.
     Grid coarse = grid;
-    while (!grid.is_2d() && coarse.nodes > 1024)
-        coarse.nodes = (coarse.nodes + 1) / 2;
-    flat = {Eigen::VectorXd::Zero(coarse.shape().nodes()), coarse.spacing(), coarse.rows,
-            coarse.row_spacing()};
+    while (!grid.is_2d() && coarse.nodes > 1024) coarse.nodes = (coarse.nodes + 1) / 2;
+    flat = {Eigen::VectorXd::Zero(coarse.shape().nodes()), coarse.spacing(), coarse.rows, coarse.row_spacing()};
     return {min, full_contact_stiffness(flat, body)};
 }
 
@@ -191,8 +180,8 @@ StiffnessLimits stiffness_limits(const Model& model) {
 StiffnessLimits scored_limits(const StiffnessLimits& secants, int steps, double share) {
     const auto [m, M] = secants;
     const double n = steps, t = std::clamp(share, 0.0, 1.0);
-    const double turn = t > 0 ? m * std::sqrt((1 + t * (2 * n - 4)) / (t * (n - 1))) - m
-                              : std::numeric_limits<double>::infinity();
+    const double turn =
+        t > 0 ? m * std::sqrt((1 + t * (2 * n - 4)) / (t * (n - 1))) - m : std::numeric_limits<double>::infinity();
     const double b = std::clamp(turn, m, M);
     const double min = std::isinf(b) ? 0 : 2 * (m * m + t * (b - m) * (m + (n - 1) * b)) / (m + b);
     const double max = std::isinf(M) ? M : 2 * (M * M - (1 - t) * (M - m) * (M + (n - 1) * m)) / (m + M);
@@ -200,8 +189,8 @@ StiffnessLimits scored_limits(const StiffnessLimits& secants, int steps, double 
 }
 
 std::string OutOfReach::verdict() const {
-    return line_of("out of reach of every ", of_map ? "map" : "profile",
-                   on_this_grid ? " on this grid: " : ": ", reason);
+    return line_of("out of reach of every ", of_map ? "map" : "profile", on_this_grid ? " on this grid: " : ": ",
+                   reason);
 }
 
 std::vector<OutOfReach> out_of_reach(const std::vector<Target>& targets, const Model& model,
@@ -210,8 +199,7 @@ std::vector<OutOfReach> out_of_reach(const std::vector<Target>& targets, const M
         return {};
     Load load{stiffness_limits(model), model.loading.steps, max_pressure.value_or(0), model.grid.is_2d()};
     for (const Target& target : targets)
-        if (target.against_pressure())
-            load.last = std::max(load.last, target.last());
+        if (target.against_pressure()) load.last = std::max(load.last, target.last());
     std::vector<OutOfReach> found;
     for (const Target& target : targets) {
         if (target.quantity == Quantity::load_at_displacement)

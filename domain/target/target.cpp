@@ -42,10 +42,8 @@ constexpr const char* expected_columns =
 
 double number_in(std::string_view cell, Separator separator, const std::string& where) {
     auto value = number(cell, {separator, false});
-    if (!value && separator != Separator::comma)
-        value = number(cell, {separator, true});
-    if (value && std::isfinite(value->value))
-        return value->value;
+    if (!value && separator != Separator::comma) value = number(cell, {separator, true});
+    if (value && std::isfinite(value->value)) return value->value;
     throw InputError(where + ": \"" + std::string(cell) + "\" is not a finite number; correct it");
 }
 
@@ -70,8 +68,7 @@ TargetTable read_target_table(const std::filesystem::path& file) {
     const Lines lines = text_lines(bytes, file.string());
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const std::string line(trim(lines[i]));
-        if (line.empty())
-            continue;
+        if (line.empty()) continue;
         const std::string where = file.string() + ":" + std::to_string(i + 1);
         if (line[0] == '#') {
             const auto colon = line.find(':');
@@ -81,8 +78,7 @@ TargetTable read_target_table(const std::filesystem::path& file) {
             separator = line.find(';') != std::string::npos    ? Separator::semicolon
                         : line.find('\t') != std::string::npos ? Separator::tab
                                                                : Separator::comma;
-            for (const auto cell : split(line, separator))
-                table.header.emplace_back(cell);
+            for (const auto cell : split(line, separator)) table.header.emplace_back(cell);
         } else {
             const auto cells = split(line, separator);
             if (cells.size() != table.header.size())
@@ -92,11 +88,9 @@ TargetTable read_target_table(const std::filesystem::path& file) {
                        : separator == Separator::tab     ? "tabs"
                                                          : "commas",
                        " between");
-            if (table.rows.size() == max_points)
-                refuse(where, ": more than ", max_points, " points; give fewer");
+            if (table.rows.size() == max_points) refuse(where, ": more than ", max_points, " points; give fewer");
             table.rows.emplace_back();
-            for (const auto cell : cells)
-                table.rows.back().push_back(number_in(cell, separator, where));
+            for (const auto cell : cells) table.rows.back().push_back(number_in(cell, separator, where));
         }
     }
     return table;
@@ -122,9 +116,7 @@ Factor in_mpa(std::string_view unit) {
                             {"bar", 0.1},
                             {"psi", 6.894757293168361e-3}}); // pound-force per square inch
 }
-Factor in_newton(std::string_view unit) {
-    return factor_of(unit, {{"uN", 1e-6}, {"mN", 1e-3}, {"N", 1}, {"kN", 1e3}});
-}
+Factor in_newton(std::string_view unit) { return factor_of(unit, {{"uN", 1e-6}, {"mN", 1e-3}, {"N", 1}, {"kN", 1e3}}); }
 Factor in_mm(std::string_view unit) {
     const auto known = length_unit(unit);
     return known ? Factor(known->in_mm) : std::nullopt;
@@ -135,8 +127,7 @@ constexpr const char *thermal = "conductance_W_per_m2K", *electrical = "conducta
 /// The interface stiffness (MPa/mm) that conducts 1 W/(m^2 K) or 1 S/m^2: K_i = C E* (rho_1 + rho_2)/2
 /// (Barber 2003). 1 MPa/mm is 1e9 Pa/m, and 1 MPa is 1e6 Pa.
 double conductance_unit(const TargetScales& scales, bool is_thermal) {
-    return 0.5e-3 * scales.effective_modulus *
-           *(is_thermal ? scales.thermal_resistivity : scales.resistivity);
+    return 0.5e-3 * scales.effective_modulus * *(is_thermal ? scales.thermal_resistivity : scales.resistivity);
 }
 
 /// The usual column for a name; an unknown name stays as it is.
@@ -146,9 +137,8 @@ UsualColumn usual_column(const std::string& name, const TargetScales& scales, co
     };
     const auto over_area = [&](Factor factor) -> Factor {
         if (factor && !scales.nominal_area)
-            refuse(
-                "give a pressure or contact_fraction, as a profile has no area, or --nodes and --length as "
-                "pairs");
+            refuse("give a pressure or contact_fraction, as a profile has no area, or --nodes and --length as "
+                   "pairs");
         return factor ? Factor(*factor / *scales.nominal_area) : std::nullopt;
     };
     if (name == "conductance")
@@ -156,33 +146,25 @@ UsualColumn usual_column(const std::string& name, const TargetScales& scales, co
     if (name == thermal || name == electrical) {
         const char* needed = name == thermal ? "conductivity" : "resistivity";
         if (!(name == thermal ? scales.thermal_resistivity : scales.resistivity))
-            throw InputError(file + ": column \"" + name + "\" needs the " + needed +
-                                 " of both bodies; give a " + needed,
-                             needed);
+            throw InputError(
+                file + ": column \"" + name + "\" needs the " + needed + " of both bodies; give a " + needed, needed);
         return {"interface_stiffness_MPa_per_mm", conductance_unit(scales, name == thermal)};
     }
-    if (name == "contact_percent")
-        return {"contact_fraction", 0.01};
-    const auto cut =
-        name.rfind('_', name.find("_per_") == std::string::npos ? name.size() : name.find("_per_") - 1);
-    if (cut == std::string::npos)
-        return {name};
+    if (name == "contact_percent") return {"contact_fraction", 0.01};
+    const auto cut = name.rfind('_', name.find("_per_") == std::string::npos ? name.size() : name.find("_per_") - 1);
+    if (cut == std::string::npos) return {name};
     const std::string what = name.substr(0, cut), unit = name.substr(cut + 1);
     const auto scaled = [&](const char* usual, Factor factor, const char* units) {
-        if (!factor)
-            refuse(std::string("give it in ") + units);
+        if (!factor) refuse(std::string("give it in ") + units);
         return UsualColumn{usual, *factor};
     };
-    if (what == "pressure")
-        return scaled("pressure_MPa", in_mpa(unit), pressure_units);
+    if (what == "pressure") return scaled("pressure_MPa", in_mpa(unit), pressure_units);
     if (what == "load" || what == "normal")
         return scaled("pressure_MPa", over_area(in_newton(unit)), "uN, mN, N or kN");
-    if (what == "displacement")
-        return scaled("displacement_mm", in_mm(unit), "nm, um, mm or m");
+    if (what == "displacement") return scaled("displacement_mm", in_mm(unit), "nm, um, mm or m");
     if (what == "friction" || what == "shear") {
         if (!scales.shear_strength)
-            throw InputError(file + ": column \"" + name +
-                                 "\" needs the shear strength; give a shear-strength",
+            throw InputError(file + ": column \"" + name + "\" needs the shear strength; give a shear-strength",
                              "shear-strength");
         const Factor force = what == "shear" ? in_mpa(unit) : over_area(in_newton(unit));
         return scaled("contact_fraction", force ? Factor(*force / *scales.shear_strength) : force,
@@ -210,18 +192,15 @@ constexpr const char* recorded_keys[] = {"kernel",   "length_mm",      "width_mm
 
 bool is_text(const std::string& key) { return key == "kernel" || key == "layers"; }
 
-bool same(const std::string& key, const std::string& left, const std::string& right,
-          const std::string& file) {
-    if (is_text(key))
-        return left == right;
+bool same(const std::string& key, const std::string& left, const std::string& right, const std::string& file) {
+    if (is_text(key)) return left == right;
     const double a = number_from(left, file + ": " + key), b = number_from(right, key);
     return std::abs(a - b) <= 1e-9 * std::abs(b);
 }
 
 /// A number with 15 digits, which readers see as they wrote it.
 std::string as_read(const std::string& key, const std::string& value) {
-    if (is_text(key) || value.empty())
-        return value;
+    if (is_text(key) || value.empty()) return value;
     char digits[32];
     std::snprintf(digits, sizeof digits, "%.15g", number_from(value, key));
     return digits;
@@ -234,8 +213,7 @@ std::vector<RecordedDifference> differences(const Target& target, const Model& m
         const bool carries = target.quantity == Quantity::interface_stiffness &&
                              (key == std::string("datum_mm") || key == std::string("length_mm"));
         const auto there = target.recorded.find(key), here = of_model.find(key);
-        if (carries != carried || there == target.recorded.end() || there->second.empty())
-            continue;
+        if (carries != carried || there == target.recorded.end() || there->second.empty()) continue;
         const std::string value = here == of_model.end() ? "" : here->second;
         if (here == of_model.end() || !same(key, there->second, value, target.name))
             found.push_back({key, there->second, as_read(key, value)});
@@ -284,8 +262,7 @@ void validate(const Target& target) {
         refuse(target.name, ": point ", k + 1, ": ", column, " is ", value, "; give ", permitted);
     };
     const bool of_area = is_contact_fraction(target.quantity);
-    if (target.points() == 0)
-        throw InputError(target.name + ": has no points; give at least one");
+    if (target.points() == 0) throw InputError(target.name + ": has no points; give at least one");
     double last = 0;
     for (Index k = 0; k < target.points(); ++k) {
         if (!std::isfinite(target.x[k]) || target.x[k] <= last)
@@ -318,28 +295,24 @@ Target read_target(const std::filesystem::path& file, const TargetScales& scales
     int x = -1, y = -1;
     for (std::size_t q = 0; q < quantities.size(); ++q) {
         const Columns& columns = quantities[q].columns;
-        if (table.place_of(columns.x) < 0 || table.place_of(columns.y) < 0)
-            continue;
-        if (y >= 0)
-            throw InputError(file.string() + ":1: has more than one curve; give one per file");
-        target.quantity = static_cast<Quantity>(q), x = table.place_of(columns.x),
-        y = table.place_of(columns.y);
+        if (table.place_of(columns.x) < 0 || table.place_of(columns.y) < 0) continue;
+        if (y >= 0) throw InputError(file.string() + ":1: has more than one curve; give one per file");
+        target.quantity = static_cast<Quantity>(q), x = table.place_of(columns.x), y = table.place_of(columns.y);
     }
     const int lower = table.place_of("lower"), upper = table.place_of("upper");
     const std::size_t known = (x >= 0) + (y >= 0) + (lower >= 0) + (upper >= 0);
     if (x < 0 || y < 0 || known != table.header.size() || (lower >= 0) != (upper >= 0))
         throw InputError(file.string() + ": columns \"" + given + "\" are not a target; " + expected_columns);
     const auto column = [&](int place, double factor) {
-        const auto values = rough::column(
-            table.rows, [&](const auto& row) { return factor * row[static_cast<std::size_t>(place)]; });
+        const auto values =
+            rough::column(table.rows, [&](const auto& row) { return factor * row[static_cast<std::size_t>(place)]; });
         return Eigen::VectorXd::Map(values.data(), static_cast<Index>(values.size())).eval();
     };
     const auto at_x = static_cast<std::size_t>(x), at_y = static_cast<std::size_t>(y);
     const double factor = factors[at_y];
     target.x = column(x, factors[at_x]);
     target.y = column(y, factor);
-    if (header != table.header)
-        target.written = {header[at_x], header[at_y], factors[at_x], factor};
+    if (header != table.header) target.written = {header[at_x], header[at_y], factors[at_x], factor};
     if (lower >= 0) {
         target.lower = column(lower, factor);
         target.upper = column(upper, factor);
@@ -351,8 +324,7 @@ Target read_target(const std::filesystem::path& file, const TargetScales& scales
 std::string to_csv(const Target& target) {
     PlainStream out;
     out.precision(17);
-    for (const auto& [key, value] : target.recorded)
-        out << "# " << key << ": " << value << "\n";
+    for (const auto& [key, value] : target.recorded) out << "# " << key << ": " << value << "\n";
     const WrittenColumns columns = columns_of(target);
     out << columns.x << "," << columns.y << (target.has_band() ? ",lower,upper" : "") << "\n";
     for (Index k = 0; k < target.points(); ++k) {
@@ -367,8 +339,7 @@ std::string to_csv(const Target& target) {
 Curve curve_of(Quantity quantity, const Response& response) { return row_of(quantity).curve(response); }
 
 Eigen::VectorXd misfit(const Target& target, const Eigen::VectorXd& values) {
-    return Eigen::VectorXd::NullaryExpr(target.points(),
-                                        [&](Index k) { return misfit(target, k, values[k]); });
+    return Eigen::VectorXd::NullaryExpr(target.points(), [&](Index k) { return misfit(target, k, values[k]); });
 }
 
 Eigen::VectorXd misfit(const Target& target, const Curve& curve) {
@@ -403,8 +374,7 @@ double similarity(const Curve& reference, const Curve& curve) {
 std::map<std::string, std::string> recorded_model(const Model& model) {
     const NamedValues all = named_values(model);
     std::map<std::string, std::string> recorded(all.begin(), all.end());
-    for (const char* of_the_solution : {"nodes", "rows", "steps", "reach"})
-        recorded.erase(of_the_solution);
+    for (const char* of_the_solution : {"nodes", "rows", "steps", "reach"}) recorded.erase(of_the_solution);
     return recorded;
 }
 
@@ -419,27 +389,23 @@ std::vector<RecordedDifference> carried_over(const Target& target, const Model& 
 std::string in_words(const std::vector<RecordedDifference>& differences) {
     std::string words;
     for (const auto& [key, recorded, here] : differences)
-        words +=
-            (words.empty() ? "" : ", ") + key + " " + recorded + (here.empty() ? "" : " (here " + here + ")");
+        words += (words.empty() ? "" : ", ") + key + " " + recorded + (here.empty() ? "" : " (here " + here + ")");
     return words;
 }
 
 void expect_recorded(const Target& target, const Model& model) {
     if (const auto differences = recorded_differences(target, model); !differences.empty())
-        refuse(target.name, ": recorded with ", in_words(differences),
-               ", on which the target depends; use the same");
+        refuse(target.name, ": recorded with ", in_words(differences), ", on which the target depends; use the same");
 }
 
 Eigen::VectorXd PointPlacement::up_to(double end) const {
-    if (count == 1)
-        return Eigen::VectorXd::Constant(1, end);
+    if (count == 1) return Eigen::VectorXd::Constant(1, end);
     const double begin = first.value_or(end / static_cast<double>(count));
     if (!(begin > 0 && begin < end))
         throw InputError("the first point, " + field_text(begin) + ", is not between 0 and the last, " +
                              field_text(end) + "; give a smaller one",
                          "from");
-    if (!logarithmic)
-        return Eigen::VectorXd::LinSpaced(count, begin, end);
+    if (!logarithmic) return Eigen::VectorXd::LinSpaced(count, begin, end);
     Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(count, std::log(begin), std::log(end)).array().exp();
     x[0] = begin, x[count - 1] = end;
     return x;
@@ -464,8 +430,7 @@ std::vector<Target> targets_like(const Profile& profile, const Model& model, con
                                   [&](double x) { return curve.at(x); });
         // The line through the first two secants may be below 0 before the first; points there are omitted.
         Index omitted = 0;
-        while (omitted + 1 < points.count && target.y[omitted] <= 0 && target.x[omitted] < curve.x[0])
-            ++omitted;
+        while (omitted + 1 < points.count && target.y[omitted] <= 0 && target.x[omitted] < curve.x[0]) ++omitted;
         target.x = target.x.tail(points.count - omitted).eval();
         target.y = target.y.tail(points.count - omitted).eval();
         target.recorded = recorded_model(model);
@@ -475,8 +440,7 @@ std::vector<Target> targets_like(const Profile& profile, const Model& model, con
                                  " MPa, which makes the interface stiffness infinite; give a last pressure "
                                  "below full contact",
                              "to");
-        if (!finer.empty())
-            target.lower = target.upper = target.y;
+        if (!finer.empty()) target.lower = target.upper = target.y;
         for (const Response& other : finer) {
             const Curve of = curve_of(quantity, other);
             const Eigen::VectorXd y = target.x.unaryExpr([&](double x) { return of.at(std::min(x, of.to)); });

@@ -42,13 +42,13 @@ struct WrittenColumns {
 
 /// A curve that a design must match, with its weight. A band contains the values that count as a match.
 struct Target {
-    Quantity quantity = Quantity::stiffness; ///< y and x of the curve
-    std::string name = {};                   ///< path of the file, or another origin
-    Eigen::VectorXd x = {};                  ///< x of the points in the quantity's units, > 0, increasing
-    Eigen::VectorXd y = {};                  ///< y of the points, > 0
-    Eigen::VectorXd lower = {};              ///< lower end of the band at each x, or empty
-    Eigen::VectorXd upper = {};              ///< upper end of the band at each x, or empty
-    double weight = 1;                       ///< factor on each misfit, in (0, 1]
+    Quantity quantity = Quantity::stiffness;          ///< y and x of the curve
+    std::string name = {};                            ///< path of the file, or another origin
+    Eigen::VectorXd x = {};                           ///< x of the points in the quantity's units, > 0, increasing
+    Eigen::VectorXd y = {};                           ///< y of the points, > 0
+    Eigen::VectorXd lower = {};                       ///< lower end of the band at each x, or empty
+    Eigen::VectorXd upper = {};                       ///< upper end of the band at each x, or empty
+    double weight = 1;                                ///< factor on each misfit, in (0, 1]
     std::map<std::string, std::string> recorded = {}; ///< model that the file states: "kernel", ...
     std::optional<WrittenColumns> written = {};       ///< as the file has them; none: those of the quantity
 
@@ -75,7 +75,7 @@ void validate(const Target& target);
 struct TargetScales {
     std::optional<double> nominal_area = {}; ///< mm^2; without it, columns of loads or areas are refused
     double effective_modulus = 1;            ///< E* of the bodies that conduct, MPa
-    std::optional<double> resistivity = {}; ///< rho_1 + rho_2 of both bodies: electrical resistivities, ohm m
+    std::optional<double> resistivity = {};  ///< rho_1 + rho_2 of both bodies: electrical resistivities, ohm m
     /// 1/k_1 + 1/k_2 of both bodies, with the thermal conductivities k (W/(m K)), m K/W
     std::optional<double> thermal_resistivity = {};
     /// Shear strength sigma, MPa: the friction is sigma times the contact area.
@@ -110,8 +110,7 @@ Curve curve_of(Quantity quantity, const Response& response);
 /// The misfit of a value y at the target's point k, times the weight. The misfit is y/y_k - 1. If the target
 /// has a band, it is the distance to the band, divided by y_k.
 inline double misfit(const Target& target, Index k, double y) {
-    const double wanted =
-        target.has_band() ? std::clamp(y, target.lower[k], target.upper[k]) / target.y[k] : 1;
+    const double wanted = target.has_band() ? std::clamp(y, target.lower[k], target.upper[k]) / target.y[k] : 1;
     return target.weight * (y / target.y[k] - wanted);
 }
 /// The misfits of the values of a curve at the target's points.

@@ -37,9 +37,8 @@ bool ambiguous(std::string_view word) { return word.size() == 1 || lower(word) =
 std::string_view bracketed(std::string_view word) {
     constexpr std::string_view open = "[({<", close = "])}>";
     const auto kind = word.empty() ? std::string_view::npos : open.find(word.front());
-    return kind != std::string_view::npos && word.back() == close[kind]
-               ? trim(word.substr(1, word.size() - 2))
-               : std::string_view{};
+    return kind != std::string_view::npos && word.back() == close[kind] ? trim(word.substr(1, word.size() - 2))
+                                                                        : std::string_view{};
 }
 
 struct Word {
@@ -52,15 +51,13 @@ std::vector<Word> words_of(std::string_view header) {
     std::vector<Word> words;
     std::size_t start = 0;
     const auto end_word = [&](std::size_t end, std::size_t next) {
-        if (end > start)
-            words.push_back({header.substr(start, end - start), start > 0 ? header[start - 1] : '\n'});
+        if (end > start) words.push_back({header.substr(start, end - start), start > 0 ? header[start - 1] : '\n'});
         start = next;
     };
     for (std::size_t i = 0; i < header.size(); ++i) {
         if (std::string_view("[({<").find(header[i]) != std::string_view::npos) {
             const std::size_t close = header.find_first_of("])}>", i);
-            if (close == std::string_view::npos)
-                continue;
+            if (close == std::string_view::npos) continue;
             end_word(i, i);
             end_word(close + 1, close + 1);
             i = close;
@@ -74,8 +71,7 @@ std::vector<Word> words_of(std::string_view header) {
 
 /// Whether a single letter is a unit, as in "x / m", "x in m", "x_m".
 bool is_announced(const std::vector<Word>& words, std::size_t i) {
-    return words[i].before == '_' ||
-           (i > 0 && (words[i - 1].text == "/" || lower(words[i - 1].text) == "in"));
+    return words[i].before == '_' || (i > 0 && (words[i - 1].text == "/" || lower(words[i - 1].text) == "in"));
 }
 
 } // namespace
@@ -84,20 +80,17 @@ std::optional<LengthUnit> length_unit(std::string_view word) {
     const std::string small = lower(trim(word));
     for (const std::string& form : {small, small.ends_with('s') ? small.substr(0, small.size() - 1) : small})
         for (const KnownUnit& unit : known_units)
-            if (is_in(unit.spellings, form))
-                return LengthUnit{std::string(unit.name), unit.in_mm};
+            if (is_in(unit.spellings, form)) return LengthUnit{std::string(unit.name), unit.in_mm};
     return std::nullopt;
 }
 
 LengthUnit length_unit_named(std::string_view word, const std::string& where) {
-    if (const auto unit = length_unit(word))
-        return *unit;
+    if (const auto unit = length_unit(word)) return *unit;
     refuse(where, ": '", word, "' is not a length unit; use a known one: ", known_lengths);
 }
 
 std::vector<LengthUnit> length_units_in(std::string_view header, const std::string& where) {
-    if (const auto unit = length_unit(header))
-        return {*unit};
+    if (const auto unit = length_unit(header)) return {*unit};
     const auto words = words_of(header);
     const bool units_only = !words.empty() && std::all_of(words.begin(), words.end(), [](const Word& word) {
         return length_unit(word.text).has_value();
@@ -117,8 +110,7 @@ std::vector<LengthUnit> length_units_in(std::string_view header, const std::stri
         } else if (units_only || !ambiguous(word) || is_announced(words, i)) {
             unit = length_unit(word);
         }
-        if (unit)
-            found.push_back(*unit);
+        if (unit) found.push_back(*unit);
     }
     return found;
 }
@@ -129,12 +121,11 @@ std::string unknown_unit_in(std::string_view name) {
         const std::string_view inside = bracketed(words[i].text);
         // Round brackets hold remarks as well: "z (raw)".
         const std::size_t longest = words[i].text.front() == '[' ? 6 : 2;
-        const bool as_a_unit = inside.size() >= 2 && inside.size() <= longest &&
-                               std::all_of(inside.begin(), inside.end(), [](char c) {
-                                   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '.';
-                               });
-        if (as_a_unit && !length_unit(inside))
-            return std::string(inside);
+        const bool as_a_unit =
+            inside.size() >= 2 && inside.size() <= longest && std::all_of(inside.begin(), inside.end(), [](char c) {
+                return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '.';
+            });
+        if (as_a_unit && !length_unit(inside)) return std::string(inside);
     }
     return "";
 }

@@ -20,21 +20,17 @@ namespace {
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
 
 /// The end of the cell that begins at `start`, and the start of the next one.
-std::pair<std::size_t, std::size_t> cell_end(std::string_view line, std::size_t start,
-                                             Dialect::Separator separator) {
+std::pair<std::size_t, std::size_t> cell_end(std::string_view line, std::size_t start, Dialect::Separator separator) {
     using enum Dialect::Separator;
     std::size_t end = 0;
     if (separator == blanks) {
-        for (end = start; end < line.size() && !is_blank(line[end]);)
-            ++end;
+        for (end = start; end < line.size() && !is_blank(line[end]);) ++end;
         std::size_t next = end;
-        while (next < line.size() && is_blank(line[next]))
-            ++next;
+        while (next < line.size() && is_blank(line[next])) ++next;
         return {end, next};
     }
     end = line.find(separator == semicolon ? ';' : separator == tab ? '\t' : ',', start);
-    while (separator == comma_and_blank && end != line.npos && end + 1 < line.size() &&
-           !is_blank(line[end + 1]))
+    while (separator == comma_and_blank && end != line.npos && end + 1 < line.size() && !is_blank(line[end + 1]))
         end = line.find(',', end + 1);
     end = std::min(end, line.size());
     return {end, end + 1};
@@ -44,9 +40,8 @@ bool digit(char c) { return c >= '0' && c <= '9'; }
 
 bool says_missing(std::string_view cell) {
     constexpr std::array<std::string_view, 23> words{
-        "",        "nan",     "-nan", "na",  "n/a", "#n/a", "null",    "none",
-        "bad",     "-",       "--",   "---", "inf", "-inf", "1.#qnan", "-1.#ind",
-        "missing", "invalid", "*",    "***", "?",   "n.a.", "nan(ind)"};
+        "",    "nan",  "-nan",    "na",      "n/a",     "#n/a",    "null", "none", "bad", "-",    "--",      "---",
+        "inf", "-inf", "1.#qnan", "-1.#ind", "missing", "invalid", "*",    "***",  "?",   "n.a.", "nan(ind)"};
     constexpr std::size_t longest = 8;
     return cell.size() <= longest && std::find(words.begin(), words.end(), lower(cell)) != words.end();
 }
@@ -76,9 +71,7 @@ std::string transcoded(const Units& units, Replace replace) {
     return text;
 }
 
-bool is_utf16(std::string_view bytes) {
-    return bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF");
-}
+bool is_utf16(std::string_view bytes) { return bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF"); }
 
 std::string to_utf8(std::string bytes) {
     const auto byte = [](char c) { return static_cast<unsigned char>(c); };
@@ -89,8 +82,7 @@ std::string to_utf8(std::string bytes) {
             units += static_cast<char16_t>(byte(bytes[i + high]) << 8 | byte(bytes[i + 1 - high]));
         return transcoded(units, [](char16_t) { return 0xFFFDu; }); // half of a surrogate pair
     }
-    if (std::all_of(bytes.begin(), bytes.end(), [&](char c) { return byte(c) < 0x80; }))
-        return bytes;
+    if (std::all_of(bytes.begin(), bytes.end(), [&](char c) { return byte(c) < 0x80; })) return bytes;
     const std::size_t mark = bytes.starts_with("\xEF\xBB\xBF") ? 3 : 0;
     return transcoded(std::string_view(bytes).substr(mark), byte); // other bytes are Latin-1
 }
@@ -115,8 +107,7 @@ std::string kind_of(std::string_view bytes) {
          {"II*\0"sv, "a TIFF image"},
          {"MATLAB"sv, "a MATLAB file"}}};
     for (const auto& [start, kind] : kinds)
-        if (bytes.starts_with(start))
-            return std::string(" (") + kind + ")";
+        if (bytes.starts_with(start)) return std::string(" (") + kind + ")";
     return "";
 }
 
@@ -134,8 +125,7 @@ std::string_view trim(std::string_view text) {
 std::vector<std::string> listed(const std::string& text) {
     std::vector<std::string> parts;
     std::istringstream in(text);
-    for (std::string part; std::getline(in, part, ',');)
-        parts.emplace_back(trim(part));
+    for (std::string part; std::getline(in, part, ',');) parts.emplace_back(trim(part));
     return parts;
 }
 
@@ -162,18 +152,15 @@ void for_each_cell(std::string_view line, Dialect::Separator separator,
     for (std::size_t start = 0; start < line.size();) {
         const auto [end, next] = cell_end(line, start, separator);
         std::string_view cell = trim(line.substr(start, end - start));
-        if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"')
-            cell = trim(cell.substr(1, cell.size() - 2));
+        if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"') cell = trim(cell.substr(1, cell.size() - 2));
         start = next;
         if (cell.empty()) {
             ++empty;
             continue;
         }
         for (; empty > 0; --empty)
-            if (!visit({}))
-                return;
-        if (!visit(cell))
-            return;
+            if (!visit({})) return;
+        if (!visit(cell)) return;
     }
 }
 
@@ -185,24 +172,20 @@ std::vector<std::string_view> split(std::string_view line, Dialect::Separator se
 
 std::optional<Number> number(std::string_view cell, const Dialect& dialect) {
     const auto not_a_number = [&]() -> std::optional<Number> {
-        if (says_missing(cell))
-            return Number{std::numeric_limits<double>::quiet_NaN(), 0};
+        if (says_missing(cell)) return Number{std::numeric_limits<double>::quiet_NaN(), 0};
         return std::nullopt;
     };
     std::string_view text = cell.substr(cell.starts_with('+') ? 1 : 0);
-    if (text.empty() || !(digit(text[0]) || text[0] == '-' || text[0] == '.'))
-        return not_a_number();
+    if (text.empty() || !(digit(text[0]) || text[0] == '-' || text[0] == '.')) return not_a_number();
     // If commas separate, a cell "05" is the fraction of a number with a decimal comma.
     if (dialect.separator == Dialect::Separator::comma && text.size() > 1 && text[0] == '0' && digit(text[1]))
         return std::nullopt;
     std::size_t point = text.find(dialect.decimal_comma ? ',' : '.');
     std::string with_point;
     if (dialect.decimal_comma) {
-        if (text.find('.') != text.npos)
-            return not_a_number();
+        if (text.find('.') != text.npos) return not_a_number();
         if (point != text.npos) {
-            if (point + 1 == text.size() || !digit(text[point + 1]))
-                return std::nullopt;
+            if (point + 1 == text.size() || !digit(text[point + 1])) return std::nullopt;
             with_point = text;
             with_point[point] = '.';
             text = with_point;
@@ -211,8 +194,7 @@ std::optional<Number> number(std::string_view cell, const Dialect& dialect) {
     Number result;
     const char* const end = text.data() + text.size();
     const auto parsed = std::from_chars(text.data(), end, result.value);
-    if (parsed.ec != std::errc{} || parsed.ptr != end || !std::isfinite(result.value))
-        return not_a_number();
+    if (parsed.ec != std::errc{} || parsed.ptr != end || !std::isfinite(result.value)) return not_a_number();
     const std::size_t exponent = std::min({text.find('e'), text.find('E'), text.size()});
     int power = 0;
     if (exponent + 1 < text.size()) {
@@ -224,30 +206,24 @@ std::optional<Number> number(std::string_view cell, const Dialect& dialect) {
     return result;
 }
 
-std::string at(const std::string& file, int line) {
-    return line > 0 ? file + ", line " + std::to_string(line) : file;
-}
+std::string at(const std::string& file, int line) { return line > 0 ? file + ", line " + std::to_string(line) : file; }
 
 void expect_text(std::string_view head, const std::string& file) {
-    if (!is_utf16(head) && !head.starts_with("ISO 5436") && head.find('\0') != head.npos)
-        refuse_binary(head, file);
+    if (!is_utf16(head) && !head.starts_with("ISO 5436") && head.find('\0') != head.npos) refuse_binary(head, file);
 }
 
 Lines text_lines(std::string& bytes, const std::string& file) {
     bytes = to_utf8(std::move(bytes));
     if (bytes.starts_with("ISO 5436")) // softgauges end their fields with it
         std::replace(bytes.begin(), bytes.end(), '\0', ' ');
-    if (bytes.find('\0') != std::string::npos)
-        refuse_binary(bytes, file);
+    if (bytes.find('\0') != std::string::npos) refuse_binary(bytes, file);
     const std::string_view text = bytes;
     std::vector<std::uint32_t> starts;
     for (std::size_t start = 0; start < text.size();) {
         std::size_t end = start; // std::string_view::find_first_of takes far longer
-        while (end < text.size() && text[end] != '\n' && text[end] != '\r')
-            ++end;
+        while (end < text.size() && text[end] != '\n' && text[end] != '\r') ++end;
         if (starts.size() == max_lines)
-            throw InputError(file + ": more than " + std::to_string(max_lines) +
-                             " lines; give a smaller file");
+            throw InputError(file + ": more than " + std::to_string(max_lines) + " lines; give a smaller file");
         starts.push_back(static_cast<std::uint32_t>(start));
         const std::size_t next = std::min(text.find_first_not_of('\r', end), text.size());
         const bool carriage_returns_end_with_line_feed = next < text.size() && text[next] == '\n';

@@ -63,8 +63,7 @@ std::optional<Number> number(std::string_view cell, const Dialect& dialect);
 class Lines {
   public:
     /// `text` must outlive the lines. Each one begins at a start and ends before its line breaks.
-    Lines(std::string_view text, std::vector<std::uint32_t> starts)
-        : text_(text), starts_(std::move(starts)) {}
+    Lines(std::string_view text, std::vector<std::uint32_t> starts) : text_(text), starts_(std::move(starts)) {}
     std::size_t size() const { return starts_.size(); } ///< number of lines
     /// Line i + 1, without its end.
     std::string_view operator[](std::size_t i) const {

@@ -17,8 +17,7 @@ template <class T>
 using Owned = std::unique_ptr<T, Discard>;
 
 void expect(bool done, const char* what) {
-    if (!done)
-        throw std::runtime_error(std::string("zip archive: cannot ") + what);
+    if (!done) throw std::runtime_error(std::string("zip archive: cannot ") + what);
 }
 
 } // namespace
@@ -37,11 +36,10 @@ Zip::Zip(const std::string& bytes, std::string file)
 
 std::optional<std::string> Zip::entry(const std::string& name, std::size_t max_size) const {
     zip_stat_t found;
-    if (zip_stat(archive_.get(), name.c_str(), ZIP_FL_NOCASE, &found) != 0)
-        return std::nullopt;
+    if (zip_stat(archive_.get(), name.c_str(), ZIP_FL_NOCASE, &found) != 0) return std::nullopt;
     if (const std::size_t max = std::min(max_size, max_unpacked_); found.size > max)
-        throw InputError(file_ + ": its entry " + name + " is too large; give one of at most " +
-                         std::to_string(max) + " bytes");
+        throw InputError(file_ + ": its entry " + name + " is too large; give one of at most " + std::to_string(max) +
+                         " bytes");
     const Owned<zip_file_t> opened(zip_fopen_index(archive_.get(), found.index, 0));
     std::string bytes(found.size, '\0');
     if (!opened || zip_fread(opened.get(), bytes.data(), bytes.size()) != std::ssize(bytes))
@@ -51,8 +49,7 @@ std::optional<std::string> Zip::entry(const std::string& name, std::size_t max_s
 
 std::string Zip::folder_of(const std::string& name) const {
     const auto index = zip_name_locate(archive_.get(), name.c_str(), ZIP_FL_NOCASE | ZIP_FL_NODIR);
-    const char* path =
-        index < 0 ? nullptr : zip_get_name(archive_.get(), static_cast<zip_uint64_t>(index), 0);
+    const char* path = index < 0 ? nullptr : zip_get_name(archive_.get(), static_cast<zip_uint64_t>(index), 0);
     const std::string full = path ? path : "";
     return full.substr(0, full.rfind('/') + 1); // npos + 1 is 0
 }
@@ -62,8 +59,7 @@ std::string zipped(const std::vector<std::pair<std::string, std::string>>& entri
     expect(memory != nullptr, "be made");
     zip_source_keep(memory.get()); // one for the archive, one to read what it wrote
     Owned<zip_t> zip(zip_open_from_source(memory.get(), ZIP_CREATE | ZIP_TRUNCATE, nullptr));
-    if (!zip)
-        zip_source_free(memory.get());
+    if (!zip) zip_source_free(memory.get());
     expect(zip != nullptr, "be made");
     for (const auto& [name, content] : entries) {
         zip_source_t* source = zip_source_buffer(zip.get(), content.data(), content.size(), 0);

@@ -53,18 +53,15 @@ struct State {
 /// The curve of states at the separations d >= 0, on whose pressure `unit` is the scale of the fall.
 template <class StateAt>
 TheoryCurve curve_of(const Eigen::VectorXd& pressures, double unit, StateAt at) {
-    const Eigen::VectorXd none =
-        Eigen::VectorXd::Constant(pressures.size(), std::numeric_limits<double>::quiet_NaN());
+    const Eigen::VectorXd none = Eigen::VectorXd::Constant(pressures.size(), std::numeric_limits<double>::quiet_NaN());
     TheoryCurve curve{pressures, none, none};
     const double largest = at(0).pressure;
     for (Index j = 0; j < pressures.size(); ++j) {
         const double wanted = pressures[j];
-        if (!(wanted <= largest))
-            continue;
+        if (!(wanted <= largest)) continue;
         const auto excess = [&](double d) { return std::log(at(d).pressure / wanted); };
         double far = unit;
-        while (excess(far) > 0)
-            far += unit;
+        while (excess(far) > 0) far += unit;
         std::uintmax_t rounds = 100;
         const auto [low, high] = boost::math::tools::toms748_solve(
             excess, far - unit, far, boost::math::tools::eps_tolerance<double>(48), rounds);
@@ -77,8 +74,7 @@ TheoryCurve curve_of(const Eigen::VectorXd& pressures, double unit, StateAt at) 
 
 void expect_gaussian(const SpectralMoments& m) {
     if (!(m.m0 > 0 && m.m2 > 0 && m.m4 > 0))
-        refuse("theory: moments ", m.m0, ", ", m.m2, ", ", m.m4,
-               " are not all above 0; give a rough surface");
+        refuse("theory: moments ", m.m0, ", ", m.m2, ", ", m.m4, " are not all above 0; give a rough surface");
     if (!(m.bandwidth() > 1.5))
         refuse("theory: bandwidth ", m.bandwidth(),
                " is out of range (above 1.5, as for every isotropic Gaussian surface)");
@@ -96,8 +92,7 @@ Ellipse ellipse(double kappa) {
         return (E / (1 - e * e) - K) / (K - E);
     };
     double low = 1e-4, high = 1 - 1e-15; // rounder ones are spheres to 1e-8
-    if (ratio <= curvatures(low))
-        return {1, 1};
+    if (ratio <= curvatures(low)) return {1, 1};
     for (int i = 0; i < 100 && high - low > 1e-15; ++i)
         (curvatures((low + high) / 2) < ratio ? low : high) = (low + high) / 2;
     const double e = (low + high) / 2, K = boost::math::ellint_1(e), E = boost::math::ellint_2(e);
@@ -118,15 +113,13 @@ const std::vector<Sharpness>& sharpnesses() {
         constexpr double sharpest = 10;                       // in standard deviations
         const std::vector<Node> angles = nodes_on(0, pi / 2); // kappa is their sine
         std::vector<Ellipse> ellipses;
-        for (const Node& angle : angles)
-            ellipses.push_back(ellipse(std::sin(angle.at)));
+        for (const Node& angle : angles) ellipses.push_back(ellipse(std::sin(angle.at)));
         std::vector<Sharpness> made;
         for (const auto& [x, weight] : nodes_on(0, sharpest)) {
             Sharpness one{x, weight, 0, 0};
             for (std::size_t k = 0; k < angles.size(); ++k) {
                 const double kappa = std::sin(angles[k].at), cosine = std::cos(angles[k].at);
-                const double density =
-                    2 * kappa * std::exp(-kappa * kappa * x * x) * cosine * angles[k].weight;
+                const double density = 2 * kappa * std::exp(-kappa * kappa * x * x) * cosine * angles[k].weight;
                 one.area += density * cosine * ellipses[k].area;
                 one.load += density * std::pow(cosine, 1.5) * ellipses[k].load;
             }
@@ -146,8 +139,7 @@ struct Exceedances {
 /// For any t, to about ten digits.
 Exceedances exceedances(double t) {
     static const std::vector<Node> unit = nodes_on(0, 1);
-    const double last =
-        std::sqrt(std::pow(std::max(t, 0.0), 2) + 80); // beyond it the density is exp(-40) of that at t
+    const double last = std::sqrt(std::pow(std::max(t, 0.0), 2) + 80); // beyond it the density is exp(-40) of that at t
     const double root = std::sqrt(last - t);
     Exceedances of{0, 0, 0};
     for (const Node& node : unit) { // s = t + v^2, smooth in v
@@ -176,14 +168,12 @@ double over_waves(const Spectrum& spectrum, Function f) {
 
 RandomSurface random_surface(const Profile& surface, bool periodic) {
     RandomSurface random{continuous_spectrum(surface, periodic), surface.is_2d()};
-    if (!(random.spectrum.power.sum() > 0))
-        refuse("theory: the surface is flat; give a rough one");
+    if (!(random.spectrum.power.sum() > 0)) refuse("theory: the surface is flat; give a rough one");
     return random;
 }
 
 RandomSurface random_surface(const SelfAffine& of) {
-    if (!(of.hurst > 0 && of.hurst < 1))
-        refuse("hurst: ", of.hurst, " is out of range (0 to 1, both excluded)");
+    if (!(of.hurst > 0 && of.hurst < 1)) refuse("hurst: ", of.hurst, " is out of range (0 to 1, both excluded)");
     if (!(of.shortest > 0 && of.longest > of.shortest && std::isfinite(of.longest)))
         refuse("cut-offs: ", of.longest, " and ", of.shortest,
                " mm are not positive lengths in descending order; give the longer one first");
@@ -220,21 +210,18 @@ Profile realised(const SelfAffine& parameters, const Grid& grid, std::uint64_t s
     const Extent shape = grid.shape();
     const double dx = 1 / grid.length, dy = grid.is_2d() ? 1 / grid.width : 0;
     const double lowest = (1 - 1e-12) / parameters.longest, largest = (1 + 1e-12) / parameters.shortest;
-    const auto last = static_cast<Index>(largest / dx),
-               last_row = grid.is_2d() ? static_cast<Index>(largest / dy) : 0;
+    const auto last = static_cast<Index>(largest / dx), last_row = grid.is_2d() ? static_cast<Index>(largest / dy) : 0;
     Eigen::ArrayXXcd waves = Eigen::ArrayXXcd::Zero(shape.columns, shape.rows);
     ga::Stream random(ga::fold(seed, "self-affine surface"));
     double slopes = 0; // mean square
     for (Index j = -last_row; j <= last_row; ++j)
         for (Index i = j > 0 ? 0 : 1; i <= last; ++i) { // one of q and -q
             const double q = std::hypot(dx * static_cast<double>(i), dy * static_cast<double>(j));
-            if (q < lowest || q > largest)
-                continue;
+            if (q < lowest || q > largest) continue;
             const double amplitude = std::pow(q, -parameters.hurst - (parameters.is_2d ? 1 : 0.5)),
                          phase = random.uniform(0, 2 * std::numbers::pi);
             slopes += std::pow(2 * std::numbers::pi * q * amplitude, 2) / 2;
-            waves(i % shape.columns, (j + last_row * shape.rows) % shape.rows) +=
-                std::polar(amplitude, phase);
+            waves(i % shape.columns, (j + last_row * shape.rows) % shape.rows) += std::polar(amplitude, phase);
         }
     if (!(slopes > 0))
         refuse("self-affine surface: no wave of ", parameters.longest, " to ", parameters.shortest,
@@ -262,12 +249,10 @@ TheoryCurve greenwood_williamson(const SpectralMoments& moments, double effectiv
     });
 }
 
-TheoryCurve bush_gibson_thomas(const SpectralMoments& m, double effective_modulus,
-                               const Eigen::VectorXd& pressures) {
+TheoryCurve bush_gibson_thomas(const SpectralMoments& m, double effective_modulus, const Eigen::VectorXd& pressures) {
     expect_gaussian(m);
-    const double sharp = std::sqrt(2 * m.m4 / 3); // standard deviation of the mean curvature
-    const double deviation =
-        std::sqrt(m.m0 * (1 - 1.5 / m.bandwidth())); // that of heights at one mean curvature
+    const double sharp = std::sqrt(2 * m.m4 / 3);                         // standard deviation of the mean curvature
+    const double deviation = std::sqrt(m.m0 * (1 - 1.5 / m.bandwidth())); // that of heights at one mean curvature
     const double area = sharp / (2 * m.m2) * deviation,
                  load = effective_modulus * std::pow(sharp * deviation, 1.5) / (2 * pi * m.m2);
     return curve_of(pressures, std::sqrt(m.m0), [&](double d) {
@@ -282,8 +267,7 @@ TheoryCurve bush_gibson_thomas(const SpectralMoments& m, double effective_modulu
     });
 }
 
-TheoryCurve persson(const RandomSurface& surface, double effective_modulus,
-                    const Eigen::VectorXd& pressures) {
+TheoryCurve persson(const RandomSurface& surface, double effective_modulus, const Eigen::VectorXd& pressures) {
     TheoryCurve curve{pressures, Eigen::VectorXd(pressures.size()), Eigen::VectorXd(pressures.size())};
     const double slope = rms_slope(surface), gamma = 0.45;
     for (Index j = 0; j < pressures.size(); ++j) {
@@ -312,8 +296,7 @@ TheoryCurve predicted_curve(Theory theory, const RandomSurface& surface, double 
         refuse(name_of(theory), ": this theory is for maps only; choose persson for a profile");
     if (!(effective_modulus > 0) || !(pressures.array() > 0).all())
         refuse(name_of(theory), ": modulus or a mean pressure is not above 0; give positive ones");
-    if (theory == Theory::persson)
-        return persson(surface, effective_modulus, pressures);
+    if (theory == Theory::persson) return persson(surface, effective_modulus, pressures);
     const auto curve = theory == Theory::bush_gibson_thomas ? bush_gibson_thomas : greenwood_williamson;
     return curve(spectral_moments(surface), effective_modulus, pressures);
 }

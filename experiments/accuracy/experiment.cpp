@@ -21,18 +21,15 @@ void add_medians(Findings& found, const json& savings) {
         by_accuracy[row["accuracy"]].push_back(row);
     }
     const auto over = [](const std::vector<json>& rows, const char* of, const char* by) {
-        return rough::column(rows,
-                             [&](const json& row) { return row[of].get<double>() / row[by].get<double>(); });
+        return rough::column(rows, [&](const json& row) { return row[of].get<double>() / row[by].get<double>(); });
     };
     Csv& medians = found.table("medians.csv", "kernel,surface,load,accuracy,milliseconds,saving", 6);
     for (const auto& [group, rows] : groups) {
-        const auto seconds =
-            rough::column(rows, [](const json& row) { return row["seconds"].get<double>(); });
+        const auto seconds = rough::column(rows, [](const json& row) { return row["seconds"].get<double>(); });
         medians.row(group[0], group[1], group[2], group[3], 1e3 * rough::median(seconds),
                     rough::median(over(rows, "resolved_seconds", "seconds")));
     }
-    Csv& coverage =
-        found.table("coverage.csv", "accuracy,scenes,covered,within,worst_over_accuracy,median_saving");
+    Csv& coverage = found.table("coverage.csv", "accuracy,scenes,covered,within,worst_over_accuracy,median_saving");
     for (const auto& [accuracy, rows] : by_accuracy) {
         const auto errors = over(rows, "true_error", "accuracy");
         const auto covered =
@@ -43,8 +40,7 @@ void add_medians(Findings& found, const json& savings) {
 }
 
 /// Adds the time and the error of each accuracy for random surfaces of each kind, body and load.
-void try_accuracies(Csv& savings, const rough::Model& base, const Settings& settings,
-                    const RunConditions& conditions) {
+void try_accuracies(Csv& savings, const rough::Model& base, const Settings& settings, const RunConditions& conditions) {
     const long samples = settings.whole("accuracy.surfaces");
     const std::vector<double> accuracies = settings.numbers("accuracy.accuracies");
     if (accuracies.empty())
@@ -61,14 +57,13 @@ void try_accuracies(Csv& savings, const rough::Model& base, const Settings& sett
                     const double H = settings.number("accuracy." + kind + "-H"), length = model.grid.length;
                     ga::Stream random(
                         ga::fold(ga::fold(conditions.origin.seed, kind), static_cast<std::uint64_t>(sample)));
-                    const rough::Genome genome = rough::random_genome(
-                        [&](double from, double to) { return random.uniform(from, to); }, 1, 1, length,
-                        length / settings.number("accuracy." + kind + "-waves"),
-                        {.A_from = 1, .A_to = 1, .H_from = H, .H_to = H});
+                    const rough::Genome genome =
+                        rough::random_genome([&](double from, double to) { return random.uniform(from, to); }, 1, 1,
+                                             length, length / settings.number("accuracy." + kind + "-waves"),
+                                             {.A_from = 1, .A_to = 1, .H_from = H, .H_to = H});
                     model.grid = rough::resolved_grid(genome, length, false);
                     rough::ReportedResponse exact, cheap;
-                    const double resolved =
-                        lowest_seconds([&] { exact = respond_within(genome, model); }, 2, HUGE_VAL);
+                    const double resolved = lowest_seconds([&] { exact = respond_within(genome, model); }, 2, HUGE_VAL);
                     for (const double accuracy : accuracies) {
                         rough::Model within = model;
                         within.accuracy = accuracy;
@@ -78,8 +73,7 @@ void try_accuracies(Csv& savings, const rough::Model& base, const Settings& sett
                         savings.row(kind, name_of(kernel), load, sample, accuracy, seconds, resolved,
                                     cheap.account.estimated_error + exact.account.estimated_error,
                                     rough::relative_error(cheap.response.pressure, exact.response.pressure),
-                                    cheap.account.grids.back(), model.grid.nodes,
-                                    cheap.account.dropped.size());
+                                    cheap.account.grids.back(), model.grid.nodes, cheap.account.dropped.size());
                     }
                 }
 }
@@ -101,22 +95,21 @@ Findings run_accuracy(const Settings& settings, const RunConditions& conditions)
 } // namespace
 
 Experiment accuracy_experiment() {
-    return {
-        .kind = "accuracy",
-        .settings = joined(
-            {{Setting(ga::number("accuracy.accuracies", "3e-2, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4", ga::above_zero,
-                                 1, "accuracies to try, separated by commas"))
-                  .several(),
-              ga::whole("accuracy.surfaces", "5", 1, "random surfaces of each kind").up_to(1000),
-              ga::number("accuracy.smooth-H", "1.4", 0.01, 3, "H of the smooth surfaces"),
-              ga::number("accuracy.rough-H", "0.6", 0.01, 3, "H of the rough ones"),
-              ga::number("accuracy.smooth-waves", "16", 1, 1000,
-                         "the smooth ones' shortest wave is the length over this"),
-              ga::number("accuracy.rough-waves", "64", 1, 1000, "the rough ones'"),
-              ga::number("accuracy.light", "0.1", 1e-3, 1, "reach of the light load; the full one's is 1")},
-             model_settings("model.")}),
-        .files = {"savings.csv", "medians.csv", "coverage.csv"},
-        .run = run_accuracy};
+    return {.kind = "accuracy",
+            .settings =
+                joined({{Setting(ga::number("accuracy.accuracies", "3e-2, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4", ga::above_zero,
+                                            1, "accuracies to try, separated by commas"))
+                             .several(),
+                         ga::whole("accuracy.surfaces", "5", 1, "random surfaces of each kind").up_to(1000),
+                         ga::number("accuracy.smooth-H", "1.4", 0.01, 3, "H of the smooth surfaces"),
+                         ga::number("accuracy.rough-H", "0.6", 0.01, 3, "H of the rough ones"),
+                         ga::number("accuracy.smooth-waves", "16", 1, 1000,
+                                    "the smooth ones' shortest wave is the length over this"),
+                         ga::number("accuracy.rough-waves", "64", 1, 1000, "the rough ones'"),
+                         ga::number("accuracy.light", "0.1", 1e-3, 1, "reach of the light load; the full one's is 1")},
+                        model_settings("model.")}),
+            .files = {"savings.csv", "medians.csv", "coverage.csv"},
+            .run = run_accuracy};
 }
 
 } // namespace app

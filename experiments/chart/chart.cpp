@@ -30,8 +30,7 @@ std::vector<double> decades(double last) {
 
 /// A line over 1 mm with an exact solution for each half-width of the contact (mm), at most 0.4.
 ChartScene exact_scene(const std::string& name, const std::string& words, rough::Kernel kernel,
-                       const std::function<double(double)>& height,
-                       const std::function<double(double)>& width,
+                       const std::function<double(double)>& height, const std::function<double(double)>& width,
                        const std::function<rough::LoadStep(double)>& contact) {
     ChartScene scene{name, words, {}, false, {}, decades(contact(0.4).pressure)};
     scene.body.kernel = kernel;
@@ -43,8 +42,7 @@ ChartScene exact_scene(const std::string& name, const std::string& words, rough:
     return scene;
 }
 
-ChartScene of_waves(const std::string& name, const std::string& words,
-                    const std::vector<rough::Wave>& waves) {
+ChartScene of_waves(const std::string& name, const std::string& words, const std::vector<rough::Wave>& waves) {
     ChartScene scene{name, words, {}, false, {}, {}};
     scene.body.datum = longest_wave;
     scene.on = [waves](Index nodes) {
@@ -59,11 +57,9 @@ ChartScene of_waves(const std::string& name, const std::string& words,
 /// A self-affine line or map over 1 mm.
 Profile self_affine(Index side, bool is_map, double longest, double shortest, std::uint64_t seed) {
     rough::Grid grid{.nodes = side, .length = 1, .periodic = true};
-    if (is_map)
-        grid.rows = side, grid.width = 1;
-    return realised(
-        {.hurst = 0.8, .longest = longest, .shortest = shortest, .rms_slope = slope, .is_2d = is_map}, grid,
-        seed);
+    if (is_map) grid.rows = side, grid.width = 1;
+    return realised({.hurst = 0.8, .longest = longest, .shortest = shortest, .rms_slope = slope, .is_2d = is_map}, grid,
+                    seed);
 }
 Profile map_on(Index side) { return self_affine(side, true, 0.25, 1.0 / 16, 1); }
 
@@ -75,11 +71,9 @@ ChartScene random_scene(const std::string& name, const std::string& words, bool 
     scene.body.kernel = rough::Kernel::periodic;
     const Profile surface = on(is_map ? 128 : 4096);
     const double gradient = rms_slope(random_surface(surface, true));
-    for (const double contact :
-         {0.001, 0.003, 0.01, 0.02, 0.05, 0.1, 0.2, 0.35, 0.5, 0.7, 0.9, 0.97, 0.99, 0.999}) {
+    for (const double contact : {0.001, 0.003, 0.01, 0.02, 0.05, 0.1, 0.2, 0.35, 0.5, 0.7, 0.9, 0.97, 0.99, 0.999}) {
         const double pressure = persson_load(contact, gradient);
-        if (scene.pressures.size() < scene.first + counted ||
-            pressure < 0.99 * full_contact_load(surface, scene.body))
+        if (scene.pressures.size() < scene.first + counted || pressure < 0.99 * full_contact_load(surface, scene.body))
             scene.pressures.push_back(pressure);
     }
     return scene;
@@ -105,11 +99,9 @@ ChartCurve solved(const Profile& surface, const rough::Body& body, const std::ve
     std::vector<double> loads = pressures;
     if (body.kernel == rough::Kernel::periodic)
         std::erase_if(loads, [full = full_contact_load(surface, body)](double load) { return load >= full; });
-    if (loads.empty())
-        return curve_of({}, pressures.size());
+    if (loads.empty()) return curve_of({}, pressures.size());
     const rough::ContactCurve found = solve_contact_at_pressures(surface, body, loads, options);
-    if (iterations)
-        *iterations = found.iterations;
+    if (iterations) *iterations = found.iterations;
     return curve_of(found.steps, pressures.size());
 }
 
@@ -118,8 +110,7 @@ VectorXd between(const std::vector<double>& loads, const VectorXd& values, const
     const VectorXd x = VectorXd::Map(loads.data(), values.size()).array().log();
     const rough::Curve curve{x, values.array().log(), x[0], x.tail(1)[0]};
     VectorXd result(static_cast<Index>(at.size()));
-    for (std::size_t j = 0; j < at.size(); ++j)
-        result[static_cast<Index>(j)] = std::exp(curve.at(std::log(at[j])));
+    for (std::size_t j = 0; j < at.size(); ++j) result[static_cast<Index>(j)] = std::exp(curve.at(std::log(at[j])));
     return result;
 }
 
@@ -137,8 +128,7 @@ VectorXd differences(const ChartScene& scene, const VectorXd& found, const Vecto
 /// The reference of a scene from at least three grids. Each has twice the nodes of the last one along each
 /// side, on a line four times. A further grid is solved only if it is useful and its time is within a limit.
 /// This time is at most eight times that of the last grid.
-ChartReference refined_reference(const ChartScene& scene, const rough::ContactOptions& options,
-                                 double limit) {
+ChartReference refined_reference(const ChartScene& scene, const rough::ContactOptions& options, double limit) {
     ChartReference reference;
     std::vector<ChartCurve> curves;
     double seconds = 0;
@@ -184,19 +174,17 @@ std::vector<ChartScene> chart_scenes() {
         return rough::self_affine_waves(longest_wave, 0.05, hurst, gamma, count);
     };
     return {
-        random_scene("self-affine-map", "an isotropic self-affine map, H = 0.8, waves from L/4 to L/16", true,
-                     map_on),
+        random_scene("self-affine-map", "an isotropic self-affine map, H = 0.8, waves from L/4 to L/16", true, map_on),
         random_scene("ground-map",
-                     "a ground map: ridges along y, with a tenth of the isotropic map's roughness on them",
-                     true,
+                     "a ground map: ridges along y, with a tenth of the isotropic map's roughness on them", true,
                      [](Index side) {
                          Profile map = map_on(side);
                          const Profile ridges = self_affine(side, false, 0.25, 1.0 / 16, 2);
                          map.heights = 0.1 * map.heights + ridges.heights.replicate(side, 1);
                          return map;
                      }),
-        random_scene("self-affine-line", "a periodic self-affine profile, H = 0.8, waves from L/32 to L/256",
-                     false, [](Index nodes) { return self_affine(nodes, false, 1.0 / 32, 1.0 / 256, 1); }),
+        random_scene("self-affine-line", "a periodic self-affine profile, H = 0.8, waves from L/32 to L/256", false,
+                     [](Index nodes) { return self_affine(nodes, false, 1.0 / 32, 1.0 / 256, 1); }),
         of_waves("mwm-smooth", "a smooth MWM profile, H = 1.2, gamma = 1.7, 8 waves", mwm(1.2, 1.7, 8)),
         of_waves("mwm-rough", "a rough MWM profile, H = 0.6, gamma = 1.5, 11 waves", mwm(0.6, 1.5, 11)),
         of_waves("fractional-brownian", "a fractional-Brownian profile, H = 0.8, 64 waves",
@@ -230,8 +218,8 @@ void measure_errors(const ChartScene& scene, const ChartReference& reference, Ch
     const auto from = static_cast<Index>(scene.first), count = static_cast<Index>(counted);
     run.error_stiffness =
         root_mean_square(differences(scene, found.stiffness, right.stiffness)) + reference.floor_stiffness;
-    run.error_contact = root_mean_square(differences(scene, found.contact_fraction, right.contact_fraction)) +
-                        reference.floor_contact;
+    run.error_contact =
+        root_mean_square(differences(scene, found.contact_fraction, right.contact_fraction)) + reference.floor_contact;
     run.answered = static_cast<int>(
         (found.contact_fraction.array() + found.stiffness.array()).segment(from, count).isFinite().count());
     if (scene.first > 0) // displacements of random surfaces depend on their single highest node
@@ -262,16 +250,13 @@ ChartRun run_chart(const ChartScene& scene, const ChartReference& reference, con
     options.stop = stop;
     if (!is_theory && setting.method != "section" && setting.method != "mean-line")
         options.solver = static_cast<rough::Solver>(which);
-    if (setting.tolerance > 0)
-        options.tolerance = setting.tolerance;
+    if (setting.tolerance > 0) options.tolerance = setting.tolerance;
     const auto answer = [&](const std::vector<double>& at) {
-        if (!is_theory)
-            return solved(surface, scene.body, at, options, &run.iterations);
-        const auto found = predicted_curve(static_cast<rough::Theory>(which), random_surface(surface, true),
-                                           scene.body.effective_modulus,
-                                           VectorXd::Map(at.data(), static_cast<Index>(at.size())));
-        return ChartCurve{VectorXd::Constant(found.pressure.size(), NAN), found.contact_fraction,
-                          found.stiffness};
+        if (!is_theory) return solved(surface, scene.body, at, options, &run.iterations);
+        const auto found =
+            predicted_curve(static_cast<rough::Theory>(which), random_surface(surface, true),
+                            scene.body.effective_modulus, VectorXd::Map(at.data(), static_cast<Index>(at.size())));
+        return ChartCurve{VectorXd::Constant(found.pressure.size(), NAN), found.contact_fraction, found.stiffness};
     };
     std::vector<double> at;
     for (std::size_t j = 0; j < counted; j += (counted - 1) / static_cast<std::size_t>(setting.loads - 1))
@@ -313,16 +298,13 @@ std::vector<ChartSetting> chart_plan(const ChartScene& scene, std::size_t index,
             holds_for(static_cast<rough::Theory>(&theory - rough::theory_names().data()), scene.is_map))
             add("theory", theory, theory_side);
     if (scene.is_map)
-        for (const char* line : {"section", "mean-line"})
-            add("profile", line, finest);
+        for (const char* line : {"section", "mean-line"}) add("profile", line, finest);
     for (Index nodes = scene.is_map ? 32 : 128; nodes <= finest; nodes *= 2) {
         add(family, "auto", nodes);
-        if (nodes != middle && nodes != (scene.is_map ? 2 : 4) * middle)
-            continue;
-        for (const int loads : {5, 3})
-            add(family, "auto", nodes, loads);
-        for (const rough::Solver solver : {rough::Solver::nested, rough::Solver::active_set,
-                                           rough::Solver::polonsky_keer, rough::Solver::nnls})
+        if (nodes != middle && nodes != (scene.is_map ? 2 : 4) * middle) continue;
+        for (const int loads : {5, 3}) add(family, "auto", nodes, loads);
+        for (const rough::Solver solver :
+             {rough::Solver::nested, rough::Solver::active_set, rough::Solver::polonsky_keer, rough::Solver::nnls})
             if (nodes == middle && !(scene.is_map && solver == rough::Solver::nnls))
                 add(family, name_of(solver), nodes);
     }
@@ -349,8 +331,7 @@ ChartData charted(const std::vector<ChartScene>& scenes, double seconds, const S
         try {
             const double limit =
                 (0.5 * seconds - clock.seconds()) / static_cast<double>(std::min<std::size_t>(s + 1, 3));
-            reference =
-                scenes[s].exact ? exact_reference(scenes[s]) : refined_reference(scenes[s], options, limit);
+            reference = scenes[s].exact ? exact_reference(scenes[s]) : refined_reference(scenes[s], options, limit);
         } catch (const rough::NotConverged&) {
             break; // stopped
         }
@@ -368,8 +349,7 @@ ChartData charted(const std::vector<ChartScene>& scenes, double seconds, const S
     for (const ChartSetting& setting : plan) {
         tell(data.scenes[setting.scene].name + ", " + setting.method + ", " + std::to_string(setting.side));
         ChartRun run;
-        if (!is_over())
-            run = run_chart(data.scenes[setting.scene], data.references[setting.scene], setting, is_over);
+        if (!is_over()) run = run_chart(data.scenes[setting.scene], data.references[setting.scene], setting, is_over);
         if (std::isnan(run.seconds) && (run.outcome == Outcome::solved || is_over()))
             ++data.not_measured;
         else
@@ -383,16 +363,14 @@ Findings run_chart_experiment(const Settings& settings, const RunConditions& con
     ga::Stopwatch since_written;
     const auto watch = [&](const ChartData& so_far, const std::string& where) {
         conditions.progress.show(where);
-        if (so_far.runs.empty() || since_written.seconds() < 3)
-            return;
+        if (so_far.runs.empty() || since_written.seconds() < 3) return;
         rough::write_atomically(conditions.folder / "chart.csv", chart_table(so_far).text());
         since_written = {};
     };
     const double minutes = settings.is_on("chart.quick") ? std::min(1.0, settings.number("chart.minutes"))
                                                          : settings.number("chart.minutes");
     const ChartData data = charted(
-        chart_scenes(), 60 * minutes, [&] { return conditions.stop.load(); }, conditions.origin.threads,
-        watch);
+        chart_scenes(), 60 * minutes, [&] { return conditions.stop.load(); }, conditions.origin.threads, watch);
     return data.runs.empty() ? Findings() : findings_of(data);
 }
 

@@ -48,10 +48,10 @@ double remaining_error(double before, double last);
 
 /// A model: a theory or a solver on a grid, at some of the loads.
 struct ChartSetting {
-    std::size_t scene = 0; ///< among chart_scenes()
-    std::string family;    ///< theory, profile or map
-    std::string method;    ///< name of the theory or solver, `section` or `mean-line`
-    rough::Index side = 0; ///< nodes along each side
+    std::size_t scene = 0;                             ///< among chart_scenes()
+    std::string family;                                ///< theory, profile or map
+    std::string method;                                ///< name of the theory or solver, `section` or `mean-line`
+    rough::Index side = 0;                             ///< nodes along each side
     int loads = static_cast<int>(ChartScene::counted); ///< 9, 5 or 3; others are interpolated in log P
     double tolerance = 0;                              ///< 0: that of the program
 };

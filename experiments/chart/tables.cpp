@@ -45,8 +45,7 @@ std::string extras(const ChartRun& run) {
 /// A theory's name as in texts: Bush-Gibson-Thomas.
 std::string titled(std::string name) {
     for (std::size_t i = 0; i < name.size(); ++i)
-        if (i == 0 || name[i - 1] == '-')
-            name[i] = static_cast<char>(std::toupper(name[i]));
+        if (i == 0 || name[i - 1] == '-') name[i] = static_cast<char>(std::toupper(name[i]));
     return name;
 }
 
@@ -56,10 +55,8 @@ std::string label_of(const ChartRun& run) {
     const std::string missing = run.answered < static_cast<int>(ChartScene::counted)
                                     ? " (" + std::to_string(run.answered) + " of 9 loads)"
                                     : "";
-    if (of.family == "theory")
-        return titled(of.method) + missing;
-    if (is_line_of_map(run))
-        return (of.method == "section" ? "one section" : "mean line") + missing;
+    if (of.family == "theory") return titled(of.method) + missing;
+    if (is_line_of_map(run)) return (of.method == "section" ? "one section" : "mean line") + missing;
     std::string extra = extras(run);
     std::ranges::replace(extra, ',', ';');
     return (is_map(run) ? "" : "N = ") + sides(run) + extra + missing;
@@ -67,13 +64,11 @@ std::string label_of(const ChartRun& run) {
 
 /// The model of a setting in a sentence.
 std::string model_of(const ChartRun& run) {
-    if (run.setting.family == "theory")
-        return titled(run.setting.method) + "'s theory";
+    if (run.setting.family == "theory") return titled(run.setting.method) + "'s theory";
     if (is_line_of_map(run))
         return (run.setting.method == "section" ? "one section of " : "the mean line of ") +
                std::to_string(run.setting.side) + " nodes";
-    return (is_map(run) ? "a map of " + sides(run) + " cells" : "a profile of " + sides(run) + " nodes") +
-           extras(run);
+    return (is_map(run) ? "a map of " + sides(run) + " cells" : "a profile of " + sides(run) + " nodes") + extras(run);
 }
 
 /// A time in ms, s or µs.
@@ -87,8 +82,7 @@ std::string percent_words(double share) { return brief(100 * share) + " %"; }
 std::vector<const ChartRun*> measured(const ChartData& data, std::size_t scene) {
     std::vector<const ChartRun*> runs;
     for (const ChartRun& run : data.runs)
-        if (run.setting.scene == scene && run.outcome == Outcome::solved)
-            runs.push_back(&run);
+        if (run.setting.scene == scene && run.outcome == Outcome::solved) runs.push_back(&run);
     return runs;
 }
 
@@ -98,18 +92,15 @@ const ChartRun* fastest(const std::vector<const ChartRun*>& runs, const ErrorKin
     const ChartRun* best = nullptr;
     const auto cost = [](const ChartRun& run) { return run.seconds / (extras(run).empty() ? 1.5 : 1); };
     for (const ChartRun* run : runs)
-        if (run->*kind.value <= error && (!best || cost(*run) < cost(*best)))
-            best = run;
+        if (run->*kind.value <= error && (!best || cost(*run) < cost(*best))) best = run;
     return best;
 }
 
 /// The most accurate run within a time; null without one.
-const ChartRun* most_accurate(const std::vector<const ChartRun*>& runs, const ErrorKind& kind,
-                              double seconds) {
+const ChartRun* most_accurate(const std::vector<const ChartRun*>& runs, const ErrorKind& kind, double seconds) {
     const ChartRun* best = nullptr;
     for (const ChartRun* run : runs)
-        if (run->seconds <= seconds && (!best || run->*kind.value < best->*kind.value))
-            best = run;
+        if (run->seconds <= seconds && (!best || run->*kind.value < best->*kind.value)) best = run;
     return best;
 }
 
@@ -118,29 +109,26 @@ std::string advice(const ChartData& data, std::size_t scene, const ErrorKind& ki
     const auto runs = measured(data, scene);
     const double floor = data.references[scene].*kind.floor;
     const ChartRun* const best = most_accurate(runs, kind, HUGE_VAL);
-    if (!best)
-        return "Nothing was measured here.";
+    if (!best) return "Nothing was measured here.";
     const auto setting = [](const ChartRun& run) { return model_of(run) + ": " + time_words(run.seconds); };
     const ChartRun *const five = fastest(runs, kind, 0.05), *const one = fastest(runs, kind, 0.01);
     std::string words = five ? std::string("For 5 % error in ") + kind.words + ", take " + setting(*five)
-                             : std::string("Nothing that was measured has an error of 5 % or less in ") +
-                                   kind.words + "; the lowest is " + percent_words(best->*kind.value) +
-                                   " with " + setting(*best);
+                             : std::string("Nothing that was measured has an error of 5 % or less in ") + kind.words +
+                                   "; the lowest is " + percent_words(best->*kind.value) + " with " + setting(*best);
     if (five && one == five)
         words += ", which also has an error below 1 % (" + percent_words(one->*kind.value) + ")";
     else if (one)
         words += "; for less than 1 %, " + setting(*one);
     else if (five && floor >= 0.01)
-        words += "; below 1 % nothing is claimed, because the reference itself may be off by " +
-                 percent_words(floor);
+        words += "; below 1 % nothing is claimed, because the reference itself may be off by " + percent_words(floor);
     else if (five)
-        words += "; less than 1 % was not reached, the lowest is " + percent_words(best->*kind.value) +
-                 " with " + setting(*best);
+        words += "; less than 1 % was not reached, the lowest is " + percent_words(best->*kind.value) + " with " +
+                 setting(*best);
     words += ".";
     if (const ChartRun* more = five && one != five ? most_accurate(runs, kind, 10 * five->seconds) : nullptr)
         words += more->*kind.value < 0.9 * (five->*kind.value)
-                     ? " Ten times the time of the first lowers the error from " +
-                           percent_words(five->*kind.value) + " to " + percent_words(more->*kind.value) + "."
+                     ? " Ten times the time of the first lowers the error from " + percent_words(five->*kind.value) +
+                           " to " + percent_words(more->*kind.value) + "."
                      : " Ten times the time of the first does not lower the error.";
     return words;
 }
@@ -184,8 +172,7 @@ class Labels {
                     continue;
                 taken_.push_back(box);
                 return {std::pow(10, axes_.x_from + to.x / width * (axes_.x_to - axes_.x_from)),
-                        std::pow(10, axes_.y_from + to.y / height * (axes_.y_to - axes_.y_from)), left,
-                        away > 14};
+                        std::pow(10, axes_.y_from + to.y / height * (axes_.y_to - axes_.y_from)), left, away > 14};
             }
         return best;
     }
@@ -220,14 +207,12 @@ void add_points(Findings& found, const ChartData& data) {
     for (std::size_t scene = 0; scene < data.scenes.size(); ++scene)
         for (const ErrorKind& kind : error_kinds) {
             std::vector<const ChartRun*> runs = measured(data, scene);
-            std::ranges::stable_sort(
-                runs, {}, [&](const ChartRun* run) { return std::pair(run->seconds, run->*kind.value); });
+            std::ranges::stable_sort(runs, {},
+                                     [&](const ChartRun* run) { return std::pair(run->seconds, run->*kind.value); });
             const double floor = data.references[scene].*kind.floor;
-            if (runs.empty())
-                continue;
+            if (runs.empty()) continue;
             std::vector<std::pair<double, double>> points;
-            for (const ChartRun* run : runs)
-                points.emplace_back(run->seconds, std::max(run->*kind.value, 1e-9));
+            for (const ChartRun* run : runs) points.emplace_back(run->seconds, std::max(run->*kind.value, 1e-9));
             const auto [lowest_at, highest_at] =
                 std::ranges::minmax_element(points, {}, &std::pair<double, double>::second);
             const double bottom = floor > 1e-9 ? std::min(floor, lowest_at->second) : lowest_at->second;
@@ -243,9 +228,8 @@ void add_points(Findings& found, const ChartData& data) {
                 lowest = std::min(lowest, error);
                 const std::string label = label_of(*runs[i]);
                 const auto at = labels.place(seconds, error, label);
-                table.row(data.scenes[scene].name, kind.name, runs[i]->setting.family, runs[i]->answered,
-                          seconds, error, is_best ? 1 : 0, label, at.seconds, at.error, at.left,
-                          at.is_far ? 1 : 0);
+                table.row(data.scenes[scene].name, kind.name, runs[i]->setting.family, runs[i]->answered, seconds,
+                          error, is_best ? 1 : 0, label, at.seconds, at.error, at.left, at.is_far ? 1 : 0);
             }
         }
 }
@@ -255,12 +239,11 @@ void add_loads(Findings& found, const ChartData& data) {
     Csv& table = found.table("loads.csv", "scene,label,contact_fraction,error_stiffness,error_contact", 6);
     for (const ChartRun& run : data.runs) {
         const ChartScene& scene = data.scenes[run.setting.scene];
-        if (!scene.is_map || !extras(run).empty())
-            continue;
+        if (!scene.is_map || !extras(run).empty()) continue;
         const ChartCurve& right = data.references[run.setting.scene].curve;
         for (Index j = 0; j < run.curve.stiffness.size(); ++j)
-            table.row(scene.name, label_of(run).substr(0, label_of(run).find(" (")),
-                      right.contact_fraction[j], std::abs(run.curve.stiffness[j] / right.stiffness[j] - 1),
+            table.row(scene.name, label_of(run).substr(0, label_of(run).find(" (")), right.contact_fraction[j],
+                      std::abs(run.curve.stiffness[j] / right.stiffness[j] - 1),
                       std::abs(run.curve.contact_fraction[j] / right.contact_fraction[j] - 1));
     }
 }
@@ -270,8 +253,7 @@ json advice_rows(const ChartData& data) {
     json rows = json::array();
     for (std::size_t scene = 0; scene < data.scenes.size(); ++scene)
         for (const ErrorKind& kind : error_kinds) {
-            if (measured(data, scene).empty())
-                continue;
+            if (measured(data, scene).empty()) continue;
             json cells = json::array();
             for (const double error : wanted_errors) {
                 const ChartRun* const run = fastest(measured(data, scene), kind, error);
@@ -290,17 +272,15 @@ json advice_rows(const ChartData& data) {
 } // namespace
 
 Csv chart_table(const ChartData& data) {
-    Csv table(
-        "scene,kernel,method,nodes,steps,tolerance,seconds,error_pressure,error_stiffness,error_contact,"
-        "iterations,outcome,model,answered",
-        6);
+    Csv table("scene,kernel,method,nodes,steps,tolerance,seconds,error_pressure,error_stiffness,error_contact,"
+              "iterations,outcome,model,answered",
+              6);
     for (const ChartRun& run : data.runs) {
         const ChartSetting& of = run.setting;
         const ChartScene& scene = data.scenes[of.scene];
-        table.row(scene.name, name_of(scene.body.kernel), of.method,
-                  is_map(run) ? of.side * of.side : of.side, of.loads, of.tolerance, run.seconds,
-                  run.error_pressure, run.error_stiffness, run.error_contact, run.iterations,
-                  name_of(run.outcome), of.family, run.answered);
+        table.row(scene.name, name_of(scene.body.kernel), of.method, is_map(run) ? of.side * of.side : of.side,
+                  of.loads, of.tolerance, run.seconds, run.error_pressure, run.error_stiffness, run.error_contact,
+                  run.iterations, name_of(run.outcome), of.family, run.answered);
     }
     return table;
 }
@@ -311,31 +291,28 @@ Findings findings_of(const ChartData& data) {
     add_points(found, data);
     add_loads(found, data);
     json scenes = json::array(), failures = json::array(), wanted = json::array();
-    for (const double error : wanted_errors)
-        wanted.push_back(percent_words(error));
+    for (const double error : wanted_errors) wanted.push_back(percent_words(error));
     for (std::size_t s = 0; s < data.scenes.size(); ++s) {
         const ChartScene& scene = data.scenes[s];
         const ChartReference& reference = data.references[s];
-        if (measured(data, s).empty())
-            continue;
+        if (measured(data, s).empty()) continue;
         const auto fraction = [&](std::size_t load) {
             return reference.curve.contact_fraction[static_cast<Index>(load)];
         };
         const std::string side = std::to_string(reference.side);
-        scenes.push_back(
-            {{"name", scene.name},
-             {"words", scene.words},
-             {"is_map", scene.is_map},
-             {"is_first", scenes.empty()},
-             {"from", fraction(scene.first)},
-             {"to", fraction(scene.first + ChartScene::counted - 1)},
-             {"reference", scene.exact ? "the exact solution"
-                                       : side + (scene.is_map ? " x " + side + " cells" : " nodes")},
-             {"is_exact", bool(scene.exact)},
-             {"floor_stiffness", reference.floor_stiffness},
-             {"floor_contact", reference.floor_contact},
-             {"stiffness", advice(data, s, error_kinds[0])},
-             {"contact", advice(data, s, error_kinds[1])}});
+        scenes.push_back({{"name", scene.name},
+                          {"words", scene.words},
+                          {"is_map", scene.is_map},
+                          {"is_first", scenes.empty()},
+                          {"from", fraction(scene.first)},
+                          {"to", fraction(scene.first + ChartScene::counted - 1)},
+                          {"reference", scene.exact ? "the exact solution"
+                                                    : side + (scene.is_map ? " x " + side + " cells" : " nodes")},
+                          {"is_exact", bool(scene.exact)},
+                          {"floor_stiffness", reference.floor_stiffness},
+                          {"floor_contact", reference.floor_contact},
+                          {"stiffness", advice(data, s, error_kinds[0])},
+                          {"contact", advice(data, s, error_kinds[1])}});
     }
     for (const ChartRun& run : data.runs)
         if (run.outcome != Outcome::solved)
@@ -351,13 +328,12 @@ Findings findings_of(const ChartData& data) {
                     {"not_measured", data.not_measured},
                     {"why", data.interrupted ? "the run was interrupted" : "the time was over"},
                     {"runs", found.tables.at("chart.csv").rows()}};
-    found.summary = scenes.empty() ? "nothing was measured"
-                                   : scenes[0]["name"].get<std::string>() + ": " +
-                                         scenes[0]["stiffness"].get<std::string>();
+    found.summary = scenes.empty()
+                        ? "nothing was measured"
+                        : scenes[0]["name"].get<std::string>() + ": " + scenes[0]["stiffness"].get<std::string>();
     if (data.not_measured > 0)
         found.summary += " " + std::to_string(data.not_measured) + " of " +
-                         std::to_string(data.runs.size() + data.not_measured) +
-                         " settings were not measured in time";
+                         std::to_string(data.runs.size() + data.not_measured) + " settings were not measured in time";
     return found;
 }
 

@@ -14,8 +14,7 @@ const std::map<std::string, Contestants>& usual_contestants() {
         const auto rows = csv_rows(builtin_files().at("usual.csv"));
         for (auto row = rows.begin() + 1; row != rows.end(); ++row)
             all[row->at(0)].emplace_back(row->at(1), row->at(2));
-        for (const std::string& name : pagmo_variants())
-            all["real"].emplace_back(name, name);
+        for (const std::string& name : pagmo_variants()) all["real"].emplace_back(name, name);
         return all;
     }();
     return all;
@@ -74,8 +73,7 @@ template <class Make>
 Benchmark benchmark(const std::string& name, const std::string& group, const std::string& kind,
                     const std::vector<double>& targets, Make make) {
     Benchmark result{.name = name, .group = group, .kind = kind, .targets = targets, .check = {}, .run = {}};
-    if constexpr (requires { make(1).genes; })
-        result.genes = make(1).genes;
+    if constexpr (requires { make(1).genes; }) result.genes = make(1).genes;
     result.check = [make](const std::string& variant) { expect_fits(make(1), variant); };
     result.run = [make, targets](const std::string& variant, int number, const Attempt& attempt) {
         return raced(make(number), variant, targets, attempt);
@@ -85,17 +83,15 @@ Benchmark benchmark(const std::string& name, const std::string& group, const std
 
 Benchmark bbob_benchmark(int dimension, int function) {
     const std::string group = "bbob" + std::to_string(dimension);
-    return benchmark(group + "-" + std::to_string(function), group, "real", precisions(1e2, 1e-8),
-                     [=](int number) {
-                         const Bbob f(function, dimension, number);
-                         RealInstance instance;
-                         instance.genes = static_cast<std::size_t>(dimension);
-                         for (std::size_t i = 0; i < instance.genes; ++i)
-                             instance.box.push_back({i, -5, 5});
-                         instance.best = f.value();
-                         instance.evaluate = [f](const std::vector<double>& x) { return Evaluation{{f(x)}}; };
-                         return instance;
-                     });
+    return benchmark(group + "-" + std::to_string(function), group, "real", precisions(1e2, 1e-8), [=](int number) {
+        const Bbob f(function, dimension, number);
+        RealInstance instance;
+        instance.genes = static_cast<std::size_t>(dimension);
+        for (std::size_t i = 0; i < instance.genes; ++i) instance.box.push_back({i, -5, 5});
+        instance.best = f.value();
+        instance.evaluate = [f](const std::vector<double>& x) { return Evaluation{{f(x)}}; };
+        return instance;
+    });
 }
 
 /// All benchmarks except BBOB's functions and roughness.
@@ -111,8 +107,7 @@ std::vector<Benchmark> fixed_benchmarks() {
     all.push_back(benchmark("tsp14", "tsp", "tours", precisions(1e1, 1e-4),
                             [=](int number) { return scattered_instance(14, seed(number)); }));
     const auto relative = precisions(1, 1e-4);
-    all.push_back(
-        benchmark("berlin52", "instances", "tours", relative, [](int) { return berlin_instance(); }));
+    all.push_back(benchmark("berlin52", "instances", "tours", relative, [](int) { return berlin_instance(); }));
     for (const std::size_t side : {10u, 16u})
         all.push_back(benchmark("grid" + std::to_string(side * side), "instances", "tours", relative,
                                 [=](int) { return grid_instance(side); }));
@@ -126,11 +121,9 @@ std::vector<Benchmark> fixed_benchmarks() {
 std::optional<std::pair<int, int>> bbob_named(const std::string& name) {
     static const std::regex form("bbob(\\d{1,2})(-(\\d{1,2}))?");
     std::smatch parts;
-    if (!std::regex_match(name, parts, form))
-        return {};
+    if (!std::regex_match(name, parts, form)) return {};
     const int dimension = std::stoi(parts[1]), function = parts[2].matched ? std::stoi(parts[3]) : 0;
-    if (dimension < 2 || dimension > 40 || function > Bbob::functions || (parts[2].matched && function < 1))
-        return {};
+    if (dimension < 2 || dimension > 40 || function > Bbob::functions || (parts[2].matched && function < 1)) return {};
     return std::pair(dimension, function);
 }
 
@@ -139,8 +132,7 @@ std::optional<std::pair<int, int>> bbob_named(const std::string& name) {
 std::vector<double> precisions(double from, double to) {
     constexpr int count = 51;
     std::vector<double> all;
-    for (int i = 0; i < count; ++i)
-        all.push_back(from * std::pow(to / from, i / (count - 1.0)));
+    for (int i = 0; i < count; ++i) all.push_back(from * std::pow(to / from, i / (count - 1.0)));
     return all;
 }
 
@@ -152,29 +144,24 @@ std::vector<Benchmark> benchmarks(const std::vector<std::string>& names,
         const std::size_t before = all.size();
         if (const auto bbob = bbob_named(name)) {
             for (int function = 1; function <= Bbob::functions; ++function)
-                if (bbob->second == 0 || bbob->second == function)
-                    all.push_back(bbob_benchmark(bbob->first, function));
+                if (bbob->second == 0 || bbob->second == function) all.push_back(bbob_benchmark(bbob->first, function));
         } else if (name == "roughness" && roughness.empty()) {
             rough::refuse("roughness: has no target; give its file (CSV)");
         }
         for (const rough::DesignSetup& setup : roughness) {
-            const std::string of_target =
-                "roughness" + (roughness.size() == 1 ? "" : "-" + setup.targets[0].name);
-            if (name != "roughness" && name != of_target)
-                continue;
-            const Roughness problem{
-                setup, setup.model.grid.is_2d() ? std::make_shared<rough::ResponseMemory>() : nullptr};
-            all.push_back(benchmark(of_target, of_target, "surfaces", precisions(1, 1e-3),
-                                    [problem](int) { return problem; }));
+            const std::string of_target = "roughness" + (roughness.size() == 1 ? "" : "-" + setup.targets[0].name);
+            if (name != "roughness" && name != of_target) continue;
+            const Roughness problem{setup,
+                                    setup.model.grid.is_2d() ? std::make_shared<rough::ResponseMemory>() : nullptr};
+            all.push_back(
+                benchmark(of_target, of_target, "surfaces", precisions(1, 1e-3), [problem](int) { return problem; }));
             all.back().setup = setup;
         }
         for (const Benchmark& each : fixed)
-            if (each.name == name || each.group == name)
-                all.push_back(each);
+            if (each.name == name || each.group == name) all.push_back(each);
         if (all.size() == before) {
             std::vector<std::string> known{"bbob5", "bbob20", "bbob5-1", "roughness"};
-            for (const Benchmark& each : fixed)
-                known.insert(known.end(), {each.name, each.group});
+            for (const Benchmark& each : fixed) known.insert(known.end(), {each.name, each.group});
             rough::refuse("\"", name,
                           "\" is not a problem; give bbobN, bbobN-F (N of 2 to 40, F of 1 to 24), "
                           "zdt, dtlz, knapsack, tsp, instances, a problem of theirs or roughness",
@@ -183,8 +170,7 @@ std::vector<Benchmark> benchmarks(const std::vector<std::string>& names,
     }
     std::set<std::string> given;
     for (const Benchmark& each : all)
-        if (!given.insert(each.name).second)
-            rough::refuse("\"", each.name, "\" is given twice; give it once");
+        if (!given.insert(each.name).second) rough::refuse("\"", each.name, "\" is given twice; give it once");
     return all;
 }
 

@@ -32,8 +32,7 @@ std::vector<Group> groups_of(const Contest& contest) {
     std::vector<Group> groups;
     for (const ProblemResults& results : contest.results) {
         auto group = std::ranges::find(groups, results.problem.group, &Group::name);
-        if (group == groups.end())
-            group = groups.insert(group, {results.problem.group});
+        if (group == groups.end()) group = groups.insert(group, {results.problem.group});
         group->results.push_back(&results);
     }
     return groups;
@@ -47,11 +46,10 @@ void add_shares(Findings& found, Group& group, const Contest& contest) {
     Csv& table = found.table("ecdf.csv", "group,variant,evaluations_per_gene,share,lower,upper", 6);
     double max_per_gene = 1;
     for (const ProblemResults* results : group.results)
-        max_per_gene = std::max(max_per_gene, static_cast<double>(results->budget) /
-                                                  static_cast<double>(results->problem.genes));
+        max_per_gene =
+            std::max(max_per_gene, static_cast<double>(results->budget) / static_cast<double>(results->problem.genes));
     std::vector<double> evaluations;
-    for (int i = 0; i < moments; ++i)
-        evaluations.push_back(std::pow(max_per_gene, i / (moments - 1.0)));
+    for (int i = 0; i < moments; ++i) evaluations.push_back(std::pow(max_per_gene, i / (moments - 1.0)));
     json& result = found.result["groups"][group.name];
     result["evaluations_per_gene"] = evaluations;
     const auto seeds = static_cast<std::size_t>(contest.seeds);
@@ -75,10 +73,9 @@ void add_shares(Findings& found, Group& group, const Contest& contest) {
             const auto mean_of = [&](const std::vector<std::size_t>& picks) {
                 return rough::mean(rough::column(picks, [&](std::size_t pick) { return of_seed[pick][at]; }));
             };
-            const double share =
-                rough::mean(rough::column(of_seed, [&](const auto& curve) { return curve[at]; }));
-            const rough::Interval interval = rough::bootstrap_interval(
-                seeds, mean_of, resamples, 0.95, ga::fold(contest.origin.seed, group.name));
+            const double share = rough::mean(rough::column(of_seed, [&](const auto& curve) { return curve[at]; }));
+            const rough::Interval interval =
+                rough::bootstrap_interval(seeds, mean_of, resamples, 0.95, ga::fold(contest.origin.seed, group.name));
             variant["share"].push_back(share);
             variant["share_lower"].push_back(interval.lower);
             variant["share_upper"].push_back(interval.upper);
@@ -106,8 +103,7 @@ std::vector<json> add_tests(Findings& found, const Group& group) {
         result["variants"][variants[v].first].update(
             {{"pipeline", variants[v].second},
              {"mean_rank", ranks.mean_ranks[v]},
-             {"area",
-              rough::mean(rough::column(group.areas, [&](const Areas& of) { return rough::mean(of[v]); }))}});
+             {"area", rough::mean(rough::column(group.areas, [&](const Areas& of) { return rough::mean(of[v]); }))}});
 
     std::vector<json> rows;
     // Adds every pair of variants, corrected together. `test` gives the difference and its p.
@@ -133,15 +129,13 @@ std::vector<json> add_tests(Findings& found, const Group& group) {
     };
     if (has_several)
         add_pairs("", [&](std::size_t a, std::size_t b) {
-            const auto differences =
-                rough::column(blocks, [&](const auto& block) { return block[b] - block[a]; });
+            const auto differences = rough::column(blocks, [&](const auto& block) { return block[b] - block[a]; });
             return std::pair(rough::mean(differences), rough::signed_rank_p(differences));
         });
     for (std::size_t k = 0; k < group.areas.size(); ++k)
         add_pairs(group.results[k]->problem.name, [&](std::size_t a, std::size_t b) {
             const Areas& areas = group.areas[k];
-            return std::pair(rough::mean(areas[a]) - rough::mean(areas[b]),
-                             rough::rank_sum_p(areas[a], areas[b]));
+            return std::pair(rough::mean(areas[a]) - rough::mean(areas[b]), rough::rank_sum_p(areas[a], areas[b]));
         });
     return rows;
 }
@@ -153,23 +147,19 @@ void add_standing(Findings& found, const Group& group, const std::vector<json>& 
     std::map<std::string, std::set<std::string>> beaten; // variants that are worse in the group
     for (const json& row : tests) {
         const double difference = row["area_difference"];
-        if (row["p_corrected"].get<double>() > significant || difference == 0)
-            continue;
+        if (row["p_corrected"].get<double>() > significant || difference == 0) continue;
         const std::string winner = row[difference > 0 ? "first" : "second"], problem = row["problem"];
         wins[winner] += !problem.empty();
-        if (problem == only_problem)
-            beaten[winner].insert(row[difference > 0 ? "second" : "first"]);
+        if (problem == only_problem) beaten[winner].insert(row[difference > 0 ? "second" : "first"]);
     }
     json& result = found.result["groups"][group.name];
     auto names = names_of(group.variants());
-    std::ranges::stable_sort(names, {}, [&](const std::string& name) {
-        return result["variants"][name]["mean_rank"].get<double>();
-    });
+    std::ranges::stable_sort(
+        names, {}, [&](const std::string& name) { return result["variants"][name]["mean_rank"].get<double>(); });
     for (const std::string& name : names) {
         std::string better;
         for (const std::string& other : names)
-            if (beaten[name].contains(other))
-                better += (better.empty() ? "" : ", ") + other;
+            if (beaten[name].contains(other)) better += (better.empty() ? "" : ", ") + other;
         const json& variant = result["variants"][name];
         result["standing"].push_back({{"variant", name},
                                       {"mean_rank", variant["mean_rank"]},
@@ -218,13 +208,12 @@ void add_problems(Findings& found, const Group& group, const Contest& contest) {
                 one["runs"].push_back({{"evaluations", runs[s].spent},
                                        {"precision", runs[s].precision},
                                        {"evaluations_to_targets", runs[s].evaluations}});
-                all.row(problem, name, contest.origin.seed + s, runs[s].spent, runs[s].precision,
-                        reached(runs[s]), group.areas[k][v][s]);
+                all.row(problem, name, contest.origin.seed + s, runs[s].spent, runs[s].precision, reached(runs[s]),
+                        group.areas[k][v][s]);
             }
             for (std::size_t t = 0; t < targets.size(); ++t)
                 if (is_listed(targets, t))
-                    ert.row(problem, name, targets[t], expected_runtime(runs, t), successes(runs, t),
-                            contest.seeds);
+                    ert.row(problem, name, targets[t], expected_runtime(runs, t), successes(runs, t), contest.seeds);
         }
     }
 }
@@ -236,19 +225,17 @@ void add_progress(Findings& found, const ProblemResults& results) {
     Csv& table = found.table("progress.csv", "problem,variant,evaluations,precision,lower,upper", 6);
     for (std::size_t v = 0; v < results.variants.size(); ++v)
         for (int i = 0; i < moments; ++i) {
-            const double at =
-                first * std::pow(static_cast<double>(results.budget) / first, i / (moments - 1.0));
+            const double at = first * std::pow(static_cast<double>(results.budget) / first, i / (moments - 1.0));
             const auto best = rough::column(results.runs[v], [&](const Reached& run) {
                 double precision = HUGE_VAL;
                 for (const auto& [evaluations, after] : run.found)
-                    if (static_cast<double>(evaluations) <= at)
-                        precision = after;
+                    if (static_cast<double>(evaluations) <= at) precision = after;
                 return precision;
             });
             const rough::Interval interval = rough::median_interval(best);
             if (std::isfinite(interval.upper))
-                table.row(results.problem.name, results.variants[v].first, at, rough::median(best),
-                          interval.lower, interval.upper);
+                table.row(results.problem.name, results.variants[v].first, at, rough::median(best), interval.lower,
+                          interval.upper);
         }
 }
 
@@ -260,8 +247,7 @@ void add_map(Findings& found, const ProblemResults& results, const json& designe
     const rough::Profile surface = sample(rough::genome_from_json(designed["genome"], "genome"), grid);
     rough::ContactOptions options = model.contact;
     options.states = true;
-    const auto state =
-        solve_contact(surface, model.body, {designed["last_displacement_mm"]}, options).states[0];
+    const auto state = solve_contact(surface, model.body, {designed["last_displacement_mm"]}, options).states[0];
     Eigen::VectorXd pressure = Eigen::VectorXd::Zero(surface.nodes());
     pressure(state.nodes) = state.pressure;
     const rough::Index every = 1 + (std::max(grid.nodes, grid.rows) - 1) / 128;
@@ -275,8 +261,8 @@ void add_map(Findings& found, const ProblemResults& results, const json& designe
 /// Adds the set-up of a roughness problem and the answers of its variants, the best median first. Returns the
 /// verdict: this variant, and those that rank sums do not tell from it.
 std::string add_surfaces(Findings& found, const ProblemResults& results) {
-    Csv& table = found.table(
-        "answers.csv", "problem,variant,similarity_worst,lower,upper,p,price,curves,gradients,seconds", 6);
+    Csv& table =
+        found.table("answers.csv", "problem,variant,similarity_worst,lower,upper,p,price,curves,gradients,seconds", 6);
     const std::string& problem = results.problem.name;
     const rough::DesignSetup& setup = *results.problem.setup;
     json of_problem = model_json(setup.model);
@@ -289,18 +275,16 @@ std::string add_surfaces(Findings& found, const ProblemResults& results) {
     found.result["surfaces"].push_back(of_problem);
     std::vector<std::vector<double>> similarities; // [variant][seed]
     for (const std::vector<Reached>& runs : results.runs)
-        similarities.push_back(rough::column(
-            runs, [](const Reached& run) { return run.surface.at("similarity_worst").get<double>(); }));
+        similarities.push_back(
+            rough::column(runs, [](const Reached& run) { return run.surface.at("similarity_worst").get<double>(); }));
     // The surface of the run with the median of the similarities, or the next below.
     const auto median_surface = [&](std::size_t v) -> const json& {
         return results.runs[v][rough::ascending(similarities[v])[(similarities[v].size() - 1) / 2]].surface;
     };
-    const auto order =
-        rough::ascending(rough::column(similarities, [](const auto& of) { return -rough::median(of); }));
-    std::vector<double> p =
-        rough::holm(rough::column(std::vector(order.begin() + 1, order.end()), [&](std::size_t v) {
-            return rough::rank_sum_p(similarities[order[0]], similarities[v]);
-        }));
+    const auto order = rough::ascending(rough::column(similarities, [](const auto& of) { return -rough::median(of); }));
+    std::vector<double> p = rough::holm(rough::column(std::vector(order.begin() + 1, order.end()), [&](std::size_t v) {
+        return rough::rank_sum_p(similarities[order[0]], similarities[v]);
+    }));
     p.insert(p.begin(), NAN);
     std::vector<std::string> not_told;
     for (std::size_t rank = 0; rank < order.size(); ++rank) {
@@ -308,19 +292,17 @@ std::string add_surfaces(Findings& found, const ProblemResults& results) {
         const std::string& name = results.variants[v].first;
         const double median = rough::median(similarities[v]);
         const rough::Interval interval = rough::median_interval(similarities[v]);
-        if (p[rank] > significant)
-            not_told.push_back(name);
+        if (p[rank] > significant) not_told.push_back(name);
         const json& middle = median_surface(v);
         json& one = found.result["problems"][problem]["variants"][name];
         one.update(middle);
         one["median_lowest"] = median;
         one["median_lowest_interval"] = {interval.lower, interval.upper};
-        table.row(problem, name, median, interval.lower, interval.upper, p[rank], middle["price"],
-                  middle["curves"], middle["gradients"], middle["seconds"]);
+        table.row(problem, name, median, interval.lower, interval.upper, p[rank], middle["price"], middle["curves"],
+                  middle["gradients"], middle["seconds"]);
     }
     add_progress(found, results);
-    if (setup.model.grid.is_2d())
-        add_map(found, results, median_surface(order[0]));
+    if (setup.model.grid.is_2d()) add_map(found, results, median_surface(order[0]));
     return "highest on " + problem + ": " + results.variants[order[0]].first + " " +
            readable(rough::median(similarities[order[0]]), 4) +
            (not_told.empty() ? "" : ", not told from " + boost::join(not_told, ", "));
@@ -329,8 +311,7 @@ std::string add_surfaces(Findings& found, const ProblemResults& results) {
 } // namespace
 
 long successes(const std::vector<Reached>& runs, std::size_t target) {
-    return std::ranges::count_if(runs,
-                                 [&](const Reached& run) { return !std::isnan(run.evaluations[target]); });
+    return std::ranges::count_if(runs, [&](const Reached& run) { return !std::isnan(run.evaluations[target]); });
 }
 
 double expected_runtime(const std::vector<Reached>& runs, std::size_t target) {
@@ -344,13 +325,12 @@ void write_coco_runs(const Contest& contest, const std::filesystem::path& folder
     std::map<std::string, std::vector<ga::CocoFunction>> of_variant;
     for (const ProblemResults& results : contest.results) {
         int dimension = 0, function = 0;
-        if (std::sscanf(results.problem.name.c_str(), "bbob%d-%d", &dimension, &function) != 2)
-            continue;
+        if (std::sscanf(results.problem.name.c_str(), "bbob%d-%d", &dimension, &function) != 2) continue;
         for (std::size_t v = 0; v < results.variants.size(); ++v) {
             ga::CocoFunction one{function, results.problem.genes, {}};
             for (std::size_t s = 0; s < results.runs[v].size(); ++s)
-                one.runs.push_back({instance_of(contest.origin.seed + s), results.runs[v][s].found,
-                                    results.runs[v][s].spent});
+                one.runs.push_back(
+                    {instance_of(contest.origin.seed + s), results.runs[v][s].found, results.runs[v][s].spent});
             of_variant[results.variants[v].first].push_back(std::move(one));
         }
     }

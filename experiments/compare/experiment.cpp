@@ -27,8 +27,7 @@ std::vector<Setting> compare_settings() {
         {"compare.target", "", "target curves (CSV) of roughness, separated by commas"},
         max_pressure_setting("compare."),
         positive("compare.shortest-wave", "", "shortest wave on roughness, mm [8 node spacings]"),
-        ga::whole("compare.ridges", "", 1,
-                  "ridges of each chromosome on roughness [1; on a map 8 directions]")
+        ga::whole("compare.ridges", "", 1, "ridges of each chromosome on roughness [1; on a map 8 directions]")
             .up_to(64),
         {"compare.coco", "", "write the runs on BBOB's functions to coco/, for cocopp and IOHanalyzer", true},
         {"compare.quick", "", "few problems, 5 seeds and 1e3*D evaluations, unless these are given", true}};
@@ -97,8 +96,7 @@ Contestants contestants_of(const Settings& settings, const std::string& kind) {
         }
         return given;
     }
-    for (const auto& [name, text] : settings.texts_under(kind + "."))
-        given.emplace_back(name, meaning(text));
+    for (const auto& [name, text] : settings.texts_under(kind + ".")) given.emplace_back(name, meaning(text));
     return given.empty() ? usual : given;
 }
 
@@ -106,16 +104,14 @@ Contestants contestants_of(const Settings& settings, const std::string& kind) {
 /// second on.
 std::vector<rough::DesignSetup> roughness_from(const Settings& settings) {
     std::vector<std::string> grids = rough::listed(settings.text("model.nodes"));
-    if (grids.empty())
-        grids.emplace_back();
+    if (grids.empty()) grids.emplace_back();
     std::vector<rough::DesignSetup> setups;
     std::set<std::string> names;
     for (const std::string& nodes : grids)
         for (const std::filesystem::path& path : settings.paths("compare.target")) {
-            rough::DesignSetup setup{
-                .model = surface_model_from(settings.with({{"model.nodes", nodes}}, model_settings("model.")),
-                                            "model."),
-                .targets = {rough::read_target(path)}};
+            rough::DesignSetup setup{.model = surface_model_from(
+                                         settings.with({{"model.nodes", nodes}}, model_settings("model.")), "model."),
+                                     .targets = {rough::read_target(path)}};
             settings.take("compare.ridges", setup.ridges);
             setup.targets[0].name = path.stem().string() + (nodes == grids[0] ? "" : "-" + nodes);
             settings.take("compare.max-pressure", setup.max_pressure);
@@ -139,8 +135,8 @@ Contest contest_from(const Settings& settings, const Origin& origin) {
     std::vector<Benchmark> problems;
     const auto roughness = roughness_from(settings);
     try {
-        problems = benchmarks(
-            rough::listed(text_of(settings, "compare.problems", usual_problems, quick_problems)), roughness);
+        problems =
+            benchmarks(rough::listed(text_of(settings, "compare.problems", usual_problems, quick_problems)), roughness);
     } catch (const rough::InputError& error) {
         settings.refuse("compare.problems", error.what());
     }
@@ -148,19 +144,16 @@ Contest contest_from(const Settings& settings, const Origin& origin) {
     for (Benchmark& problem : problems) {
         ProblemResults results;
         results.variants = contestants_of(settings, problem.kind);
-        results.budget =
-            problem.setup ? contest.curves : budget_from(settings, contest.budget, problem.genes);
-        for (const auto& [name, text] : results.variants)
-            try {
+        results.budget = problem.setup ? contest.curves : budget_from(settings, contest.budget, problem.genes);
+        for (const auto& [name, text] : results.variants) try {
                 problem.check(text);
             } catch (const ga::UsageError& error) {
                 const std::string key = problem.kind + "." + name;
-                settings.refuse(settings.given(key) ? key : "compare.variants", "'", name, "' on ",
-                                problem.name, ": ", error.what());
+                settings.refuse(settings.given(key) ? key : "compare.variants", "'", name, "' on ", problem.name, ": ",
+                                error.what());
             }
         has_bbob |= problem.name.starts_with("bbob");
-        results.runs.assign(results.variants.size(),
-                            std::vector<Reached>(static_cast<std::size_t>(contest.seeds)));
+        results.runs.assign(results.variants.size(), std::vector<Reached>(static_cast<std::size_t>(contest.seeds)));
         results.problem = std::move(problem);
         contest.results.push_back(std::move(results));
     }
@@ -172,11 +165,9 @@ Contest contest_from(const Settings& settings, const Origin& origin) {
 /// The work of a rank: runs a race and returns a Reached. `setting` has the names of the problems, and the
 /// setups of roughness.
 cluster::Work races_under(const json& setting) {
-    return
-        [problems = benchmarks(setting.at("problems"), setting.at("roughness"))](const json& race) -> json {
-            return problems.at(race.at(0))
-                .run(race.at(1), race.at(2), {race.at(3), race.at(4), &Interrupt::flag()});
-        };
+    return [problems = benchmarks(setting.at("problems"), setting.at("roughness"))](const json& race) -> json {
+        return problems.at(race.at(0)).run(race.at(1), race.at(2), {race.at(3), race.at(4), &Interrupt::flag()});
+    };
 }
 
 /// Does all runs, on threads and ranks. Unfinished problems are removed.
@@ -189,8 +180,7 @@ void run_all(Contest& contest, const Settings& settings, const RunConditions& co
     json names = json::array();
     for (const ProblemResults& results : contest.results) {
         for (std::size_t v = 0; v < results.runs.size(); ++v)
-            for (std::size_t s = 0; s < results.runs[v].size(); ++s)
-                indices.push_back({names.size(), v, s});
+            for (std::size_t s = 0; s < results.runs[v].size(); ++s) indices.push_back({names.size(), v, s});
         unfinished.push_back(contest.seeds * static_cast<long>(results.runs.size()));
         names.push_back(results.problem.name);
     }
@@ -207,8 +197,7 @@ void run_all(Contest& contest, const Settings& settings, const RunConditions& co
                 const std::uint64_t number = contest.origin.seed + indices[i].seed;
                 return json::array(
                     {indices[i].problem, results.variants[indices[i].variant].second, instance_of(number),
-                     ga::fold(number, results.problem.setup ? "roughness" : results.problem.name),
-                     results.budget});
+                     ga::fold(number, results.problem.setup ? "roughness" : results.problem.name), results.budget});
             },
         .take =
             [&](std::size_t i, const json& reached) {
@@ -217,16 +206,14 @@ void run_all(Contest& contest, const Settings& settings, const RunConditions& co
                 results.runs[variant][seed] = reached.get<Reached>();
                 const std::lock_guard lock(guard);
                 unfinished[b] -= !conditions.stop;
-                conditions.progress.show(results.problem.name + ": " + results.variants[variant].first +
-                                         ", run " + std::to_string(++ended) + " of " +
-                                         std::to_string(indices.size()));
+                conditions.progress.show(results.problem.name + ": " + results.variants[variant].first + ", run " +
+                                         std::to_string(++ended) + " of " + std::to_string(indices.size()));
             },
         .stopped = [&] { return conditions.stop.load(); }};
     if (cluster::is_alone()) {
         const cluster::Work work = races_under(job.setting);
         ga::parallel_for(job.count, job.threads, [&](std::size_t i) {
-            if (!conditions.stop)
-                job.take(i, work(*job.task(i)));
+            if (!conditions.stop) job.take(i, work(*job.task(i)));
         });
     } else {
         cluster::hand_out(job);
@@ -238,10 +225,8 @@ void run_all(Contest& contest, const Settings& settings, const RunConditions& co
 Findings run_compare(const Settings& settings, const RunConditions& conditions) {
     Contest contest = contest_from(settings, conditions.origin);
     run_all(contest, settings, conditions);
-    if (contest.results.empty())
-        return {};
-    if (settings.is_on("compare.coco"))
-        write_coco_runs(contest, conditions.folder / "coco");
+    if (contest.results.empty()) return {};
+    if (settings.is_on("compare.coco")) write_coco_runs(contest, conditions.folder / "coco");
     return findings_of(contest);
 }
 
@@ -250,8 +235,8 @@ Findings run_compare(const Settings& settings, const RunConditions& conditions) 
 Experiment compare_experiment() {
     return {.kind = "compare",
             .settings = compare_settings(),
-            .files = {"runs.csv", "ert.csv", "ecdf.csv", "tests.csv", "answers.csv", "progress.csv",
-                      "surfaces.csv", "coco"},
+            .files = {"runs.csv", "ert.csv", "ecdf.csv", "tests.csv", "answers.csv", "progress.csv", "surfaces.csv",
+                      "coco"},
             .run = run_compare,
             .takes_file = true,
             .work = races_under};

@@ -19,8 +19,7 @@ void expect_pagmos(const RealInstance& instance, const std::string& variant) {
         throw ga::UsageError("\"" + variant +
                              "\" needs a build with libpagmo; install Debian's libpagmo-dev and build again");
     if (std::ranges::find(names, variant) == names.end())
-        throw ga::UsageError("\"" + variant + "\" is not an algorithm of libpagmo" +
-                             ga::suggestion(variant, names));
+        throw ga::UsageError("\"" + variant + "\" is not an algorithm of libpagmo" + ga::suggestion(variant, names));
     if (instance.objectives > 1)
         throw ga::UsageError("\"" + variant + "\" cannot search for several objectives; give a pipeline");
 }
@@ -57,15 +56,13 @@ struct Measured {
     Run* run = nullptr;
 
     pagmo::vector_double fitness(const pagmo::vector_double& x) const {
-        if (run->made >= run->budget || run->tally.ended())
-            throw Ended();
+        if (run->made >= run->budget || run->tally.ended()) throw Ended();
         const Evaluation value = run->instance.evaluate(x);
         run->tally.note(++run->made, run->nearness.after(value));
         return value.objectives;
     }
     std::pair<pagmo::vector_double, pagmo::vector_double> get_bounds() const {
-        if (!run)
-            return {{0}, {1}};
+        if (!run) return {{0}, {1}};
         std::pair<pagmo::vector_double, pagmo::vector_double> bounds;
         for (const ga::Variable& gene : run->instance.box) {
             bounds.first.push_back(gene.lower);
@@ -85,26 +82,22 @@ pagmo::algorithm algorithm_of(const std::string& variant, unsigned seed) {
     constexpr unsigned on = std::numeric_limits<int>::max(); // generations: the budget ends it
     constexpr double tolerance = 1e-12;
     if (is_cmaes(variant))
-        return pagmo::algorithm(pagmo::cmaes(on, -1, -1, -1, -1, 0.5, tolerance, tolerance, false,
-                                             variant == bounded_cmaes, seed));
-    if (variant == "pagmo:de")
-        return pagmo::algorithm(pagmo::de(on, 0.8, 0.9, 2, tolerance, tolerance, seed));
-    if (variant == "pagmo:sade")
-        return pagmo::algorithm(pagmo::sade(on, 2, 1, tolerance, tolerance, false, seed));
-    return pagmo::algorithm(
-        pagmo::sga(on, 0.9, 1, 0.02, 1, 2, "exponential", "polynomial", "tournament", seed));
+        return pagmo::algorithm(
+            pagmo::cmaes(on, -1, -1, -1, -1, 0.5, tolerance, tolerance, false, variant == bounded_cmaes, seed));
+    if (variant == "pagmo:de") return pagmo::algorithm(pagmo::de(on, 0.8, 0.9, 2, tolerance, tolerance, seed));
+    if (variant == "pagmo:sade") return pagmo::algorithm(pagmo::sade(on, 2, 1, tolerance, tolerance, false, seed));
+    return pagmo::algorithm(pagmo::sga(on, 0.9, 1, 0.02, 1, 2, "exponential", "polynomial", "tournament", seed));
 }
 
 } // namespace
 
 const std::vector<std::string>& pagmo_variants() {
-    static const std::vector<std::string> all{"pagmo:cmaes", bounded_cmaes, "pagmo:de", "pagmo:sade",
-                                              "pagmo:sga"};
+    static const std::vector<std::string> all{"pagmo:cmaes", bounded_cmaes, "pagmo:de", "pagmo:sade", "pagmo:sga"};
     return all;
 }
 
-Reached raced_by_pagmo(const RealInstance& instance, const std::string& variant,
-                       const std::vector<double>& targets, const Attempt& attempt) {
+Reached raced_by_pagmo(const RealInstance& instance, const std::string& variant, const std::vector<double>& targets,
+                       const Attempt& attempt) {
     Run run{instance, Nearness(instance), Tally(targets, attempt), attempt.budget};
     const double hansens = 4 + std::floor(3 * std::log(static_cast<double>(instance.genes)));
     const auto size = is_cmaes(variant)        ? static_cast<std::size_t>(std::max(5.0, hansens))

@@ -8,10 +8,8 @@
 namespace app {
 
 double Nearness::after(const Evaluation& value) {
-    if (violated(value) > 0)
-        return nearest_;
-    if (!front_)
-        return nearest_ = std::min(nearest_, (value.objectives[0] - best_) / scale_);
+    if (violated(value) > 0) return nearest_;
+    if (!front_) return nearest_ = std::min(nearest_, (value.objectives[0] - best_) / scale_);
     bool nearer = false;
     for (std::size_t i = 0; i < short_of_.size(); ++i) {
         const ga::Point& wanted = (*front_)[i];
@@ -27,14 +25,12 @@ double Nearness::after(const Evaluation& value) {
     }
     if (nearer) {
         nearest_ = 0;
-        for (const double squared : short_of_)
-            nearest_ += std::sqrt(squared) / static_cast<double>(short_of_.size());
+        for (const double squared : short_of_) nearest_ += std::sqrt(squared) / static_cast<double>(short_of_.size());
     }
     return nearest_;
 }
 
-Tally::Tally(const std::vector<double>& targets, const Attempt& attempt)
-    : targets_(targets), stop_(attempt.stop) {
+Tally::Tally(const std::vector<double>& targets, const Attempt& attempt) : targets_(targets), stop_(attempt.stop) {
     reached_.evaluations.assign(targets.size(), NAN);
 }
 
@@ -42,13 +38,11 @@ void Tally::note(long evaluations, double precision) {
     reached_.spent = evaluations;
     const bool is_better = precision < reached_.precision;
     reached_.precision = std::min(reached_.precision, precision);
-    if (reached_.found.empty() ||
-        (is_better && (next_ == targets_.size() || reached_.precision <= targets_[next_])))
+    if (reached_.found.empty() || (is_better && (next_ == targets_.size() || reached_.precision <= targets_[next_])))
         reached_.found.emplace_back(evaluations, reached_.precision);
     while (next_ < targets_.size() && reached_.precision <= targets_[next_])
         reached_.evaluations[next_++] = static_cast<double>(evaluations);
-    if (next_ == targets_.size() || (stop_ && stop_->load(std::memory_order_relaxed)))
-        ended_ = true;
+    if (next_ == targets_.size() || (stop_ && stop_->load(std::memory_order_relaxed))) ended_ = true;
 }
 
 namespace {
@@ -63,8 +57,7 @@ class Tallied : public ga::Evaluator<OutsideProblem<G>> {
     void outcomes(const OutsideProblem<G>&, std::span<ga::EvaluationCall<OutsideProblem<G>>> calls,
                   const ga::Watch& watch) override {
         for (auto& call : calls) {
-            if (watch.expired())
-                return;
+            if (watch.expired()) return;
             Evaluation answer = evaluate_(*call.genome);
             tally_.note(++made_, nearness_.after(answer));
             *call.answer = std::move(answer);
@@ -99,8 +92,7 @@ OutsideProblem<G> problem_of(const Instance<G>& instance) {
 template <class G>
 void expect_fits(const Instance<G>& instance, const std::string& variant) {
     if constexpr (std::is_same_v<Instance<G>, RealInstance>)
-        if (is_pagmos(variant))
-            return expect_pagmos(instance, variant);
+        if (is_pagmos(variant)) return expect_pagmos(instance, variant);
     ga::check(stage_of(instance, variant), problem_of(instance), {});
 }
 
@@ -108,8 +100,7 @@ template <class G>
 Reached raced(const Instance<G>& instance, const std::string& variant, const std::vector<double>& targets,
               const Attempt& attempt) {
     if constexpr (std::is_same_v<Instance<G>, RealInstance>)
-        if (is_pagmos(variant))
-            return raced_by_pagmo(instance, variant, targets, attempt);
+        if (is_pagmos(variant)) return raced_by_pagmo(instance, variant, targets, attempt);
     const OutsideProblem<G> problem = problem_of(instance);
     const auto stage = stage_of(instance, variant);
     Tally tally(targets, attempt);
@@ -121,8 +112,7 @@ Reached raced(const Instance<G>& instance, const std::string& variant, const std
         options.seed = ga::fold(attempt.seed, start);
         options.budget = {left, std::numeric_limits<double>::infinity(), &tally.ended()};
         const auto found = ga::run_by(evaluator, stage, problem, {}, options);
-        if (found.counters.requested == 0 || !found.stopped.empty())
-            break;
+        if (found.counters.requested == 0 || !found.stopped.empty()) break;
         left -= found.counters.requested;
     }
     return tally.reached();

@@ -109,7 +109,7 @@ void expect_pagmos(const RealInstance& instance, const std::string& variant);
 /// Runs an algorithm of libpagmo with its default parameters on an instance. It ends by tolerances of 1e-12
 /// and then restarts. The population is 40 for sga and 20 for de and sade. For cmaes it is 4 + 3 ln n
 /// (Hansen), at least 5.
-Reached raced_by_pagmo(const RealInstance& instance, const std::string& variant,
-                       const std::vector<double>& targets, const Attempt& attempt);
+Reached raced_by_pagmo(const RealInstance& instance, const std::string& variant, const std::vector<double>& targets,
+                       const Attempt& attempt);
 
 } // namespace app

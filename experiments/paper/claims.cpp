@@ -32,15 +32,13 @@ double spread(const Numbers& numbers) { return highest(numbers) - lowest(numbers
 Numbers over_thresholds(Target target, const std::string& variant, const char* name) {
     Numbers numbers;
     for (const json& row : target.thresholds)
-        if (row.at("variant") == variant)
-            numbers.push_back(row.at(name));
+        if (row.at("variant") == variant) numbers.push_back(row.at(name));
     return numbers;
 }
 
 Finding spread_of_best(Target target, const std::string& variant) {
     const Numbers answers = over_thresholds(target, variant, "similarity");
-    return {spread(over_thresholds(target, variant, "best_child")),
-            {{"of the answers after GCMMA", spread(answers)}}};
+    return {spread(over_thresholds(target, variant, "best_child")), {{"of the answers after GCMMA", spread(answers)}}};
 }
 
 /// A change of the median over the database without one half of the waves, over that without the other.
@@ -58,8 +56,7 @@ Finding over_alloys(All all, double FractalStudy::*value) {
 
 Finding in_part(Target target, double Scores::*part) {
     const auto best = best_in_part(target, part);
-    if (!best)
-        return {};
+    if (!best) return {};
     const Scores& scores = target.database[*best];
     return {scores.*part, {{"over all pressures", scores.all}}};
 }
@@ -70,8 +67,7 @@ double discrepancy(const std::vector<std::pair<double, double>>& points) {
     double single = 0, pairs = 0;
     for (const auto& [x, y] : points) {
         single += (1 - x * x) * (1 - y * y);
-        for (const auto& [u, v] : points)
-            pairs += (1 - std::max(x, u)) * (1 - std::max(y, v));
+        for (const auto& [u, v] : points) pairs += (1 - std::max(x, u)) * (1 - std::max(y, v));
     }
     return std::sqrt(1.0 / 9 - single / (2 * n) + pairs / (n * n));
 }
@@ -88,8 +84,7 @@ Finding evenness(Run run, All) {
     constexpr int draws = 1000;
     int above = 0;
     for (int draw = 0; draw < draws; ++draw) {
-        for (auto& [H, gamma] : pairs)
-            H = random.uniform(), gamma = random.uniform();
+        for (auto& [H, gamma] : pairs) H = random.uniform(), gamma = random.uniform();
         above += discrepancy(pairs) > sobol;
     }
     return {std::isnan(sobol) ? unknown : static_cast<double>(above) / draws, {{"discrepancy", sobol}}};
@@ -153,10 +148,8 @@ double off_its_waves(Run run, Variant variant, bool high) {
 double high_exponent(Run run, Variant variant) {
     const Octaves octaves = octaves_of(run, variant);
     const Eigen::Index half = octaves.half();
-    if (half < 2)
-        return unknown;
-    const Eigen::VectorXd x =
-        Eigen::VectorXd::LinSpaced(half, 0, static_cast<double>(half - 1)) * std::log10(2);
+    if (half < 2) return unknown;
+    const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(half, 0, static_cast<double>(half - 1)) * std::log10(2);
     // An octave's power is its density times its width.
     return rough::slope(x, octaves.continuous.tail(half)) - 1;
 }
@@ -165,12 +158,10 @@ double high_exponent(Run run, Variant variant) {
 /// deviation on a logarithmic scale. 1: proportional.
 Finding proportion(Run run, Target target) {
     const VariantRun *const sog = find_variant(target, "sog"), *const cco = find_variant(target, "cco");
-    if (!sog || !cco)
-        return {};
+    if (!sog || !cco) return {};
     const Octaves a = octaves_of(run, *sog), b = octaves_of(run, *cco);
     const Eigen::Index low = a.continuous.size() - a.half();
-    if (low < 2)
-        return {};
+    if (low < 2) return {};
     const Eigen::ArrayXd ratio = (b.continuous - a.continuous).head(low).array();
     return {std::pow(10, std::sqrt((ratio - ratio.mean()).square().mean())),
             {{"mean factor", std::pow(10, ratio.mean())}}};
@@ -187,10 +178,9 @@ double peaks_without_waves(Run run, Variant variant) {
     for (Eigen::Index k = 2; k + 2 < density.size(); ++k) {
         const bool peak = density[k] > density[k - 1] && density[k] > density[k + 1] &&
                           density[k] > std::max(2 * std::max(density[k - 2], density[k + 2]), floor);
-        peaks +=
-            peak && std::ranges::none_of(lines, [&](const rough::SpectralLine& line) {
-                return std::abs(line.wave_number - spectrum.wave_number[k]) <= 2 * spectrum.wave_number[0];
-            });
+        peaks += peak && std::ranges::none_of(lines, [&](const rough::SpectralLine& line) {
+                     return std::abs(line.wave_number - spectrum.wave_number[k]) <= 2 * spectrum.wave_number[0];
+                 });
     }
     return peaks;
 }
@@ -212,8 +202,7 @@ Finding over_answers(const std::string& words, Run run, Target target) {
         {"error", [](Run, Variant one) { return 1 - one.similarity; }},
         {"seconds", [](Run, Variant one) { return one.seconds; }},
         {"gain", gain},
-        {"chromosomes",
-         [](Run, Variant one) { return static_cast<double>(waves(one.answer.genome).size()); }},
+        {"chromosomes", [](Run, Variant one) { return static_cast<double>(waves(one.answer.genome).size()); }},
         {"off-high", [](Run of, Variant one) { return off_its_waves(of, one, true); }},
         {"off-low", [](Run of, Variant one) { return off_its_waves(of, one, false); }},
         {"peaks", peaks_without_waves},
@@ -230,15 +219,12 @@ Finding over_answers(const std::string& words, Run run, Target target) {
     std::istringstream text(words);
     std::string reduction, quantity, name;
     std::vector<std::string> names;
-    for (text >> reduction >> quantity >> name; text >> name;)
-        names.push_back(name);
+    for (text >> reduction >> quantity >> name; text >> name;) names.push_back(name);
     const bool is_of_pairs = names.front() == "pairs";
-    if (is_of_pairs)
-        names = {"sog", "gco", "cco"};
+    if (is_of_pairs) names = {"sog", "gco", "cco"};
     std::vector<const VariantRun*> answers;
     for (const std::string& one : names)
-        if (answers.push_back(find_variant(target, one)); !answers.back())
-            return {};
+        if (answers.push_back(find_variant(target, one)); !answers.back()) return {};
     Finding finding;
     Numbers numbers;
     const auto add = [&](const std::string& of, double number) {
@@ -263,18 +249,14 @@ const std::map<std::string, Measure>& measures() {
                           lost = sum(genome_column(all, &GenomeStudy::contacts, &Contacts::lost));
              return Finding(nodes > 0 ? lost : unknown, {{"nodes in contact", nodes}});
          }},
-        {"one-wave",
-         [](Run, All all) { return highest(column(all.chromosomes, &ChromosomeExample::misfit)); }},
+        {"one-wave", [](Run, All all) { return highest(column(all.chromosomes, &ChromosomeExample::misfit)); }},
         {"wavelength",
-         [](Run, All all) {
-             return all.chromosomes.empty() ? unknown : 1e3 * all.chromosomes.back().wave_length;
-         }},
+         [](Run, All all) { return all.chromosomes.empty() ? unknown : 1e3 * all.chromosomes.back().wave_length; }},
         {"condition",
          [](Run, All all) {
              const Numbers printed = column(all.ridges, &RidgeCount::as_printed),
                            slipped = column(all.ridges, &RidgeCount::last_missing);
-             const Numbers within =
-                 column(printed, [](double s) { return s >= 0.885 && s <= 0.98 ? 1. : 0.; });
+             const Numbers within = column(printed, [](double s) { return s >= 0.885 && s <= 0.98 ? 1. : 0.; });
              return Finding(rough::mean(within), {{"share as printed, mean", rough::mean(printed)},
                                                   {"last pair missing, mean", rough::mean(slipped)},
                                                   {"least", lowest(slipped)},
@@ -300,8 +282,8 @@ const std::map<std::string, Measure>& measures() {
              const Numbers unscaled = column(run.database, [&](const Answered& member) {
                  return run.max_pressure / std::abs(member.genome.scale);
              });
-             return Finding(run.max_pressure / highest(unscaled), {{"genomes' least, MPa", lowest(unscaled)},
-                                                                   {"greatest, MPa", highest(unscaled)}});
+             return Finding(run.max_pressure / highest(unscaled),
+                            {{"genomes' least, MPa", lowest(unscaled)}, {"greatest, MPa", highest(unscaled)}});
          }},
         {"threshold-units", [](Run, All) { return unknown; }},
         {"gco-varies", [](Run, Target target) { return spread_of_best(target, "gco"); }},
@@ -310,23 +292,19 @@ const std::map<std::string, Measure>& measures() {
          [](Run, Target target) {
              std::set<std::set<std::uint64_t>> pairs;
              for (const json& row : target.thresholds)
-                 if (row.at("variant") == "cco")
-                     pairs.insert(row.at("parents"));
+                 if (row.at("variant") == "cco") pairs.insert(row.at("parents"));
              return pairs.empty() ? unknown : static_cast<double>(pairs.size());
          }},
         {"size-varies",
          [](Run, Target target) {
              const Numbers sizes = over_thresholds(target, "gco", "U3");
-             return Finding(highest(sizes) / lowest(sizes),
-                            {{"smallest", lowest(sizes)}, {"largest", highest(sizes)}});
+             return Finding(highest(sizes) / lowest(sizes), {{"smallest", lowest(sizes)}, {"largest", highest(sizes)}});
          }},
         {"size-equal",
          [](Run, Target target) {
-             const Numbers gco = over_thresholds(target, "gco", "U3"),
-                           cco = over_thresholds(target, "cco", "U3");
+             const Numbers gco = over_thresholds(target, "gco", "U3"), cco = over_thresholds(target, "cco", "U3");
              Numbers equal;
-             for (std::size_t i = 0; gco.size() == cco.size() && i < gco.size(); ++i)
-                 equal.push_back(gco[i] == cco[i]);
+             for (std::size_t i = 0; gco.size() == cco.size() && i < gco.size(); ++i) equal.push_back(gco[i] == cco[i]);
              return rough::mean(equal);
          }},
         {"efficient",
@@ -347,8 +325,7 @@ const std::map<std::string, Measure>& measures() {
 
 /// Whether a number meets a condition, comparison after comparison.
 bool meets(const std::string& condition, double number) {
-    if (condition == "never")
-        return false;
+    if (condition == "never") return false;
     std::istringstream words(condition);
     std::string comparison, conjunction;
     for (double bound = 0; words >> comparison >> bound; words >> conjunction)
@@ -365,8 +342,7 @@ bool meets(const std::string& condition, double number) {
 
 std::vector<Finding> findings_of(const Claim& claim, const PaperRun& run, const Studies& studies) {
     const auto found = measures().find(claim.number);
-    if (found != measures().end() && found->second.index() == 0)
-        return {std::get<0>(found->second)(run, studies)};
+    if (found != measures().end() && found->second.index() == 0) return {std::get<0>(found->second)(run, studies)};
     std::vector<Finding> findings;
     for (const TargetRun& target : run.targets) {
         findings.push_back(found == measures().end() ? over_answers(claim.number, run, target)
@@ -396,15 +372,12 @@ std::string Claim::rule() const {
 
 std::string verdict_of(const Claim& claim, const std::vector<double>& numbers) {
     const auto all = [&](const auto& holds) {
-        return !numbers.empty() && std::ranges::all_of(numbers, [&](double number) {
-            return !std::isnan(number) && holds(number);
-        });
+        return !numbers.empty() &&
+               std::ranges::all_of(numbers, [&](double number) { return !std::isnan(number) && holds(number); });
     };
-    if (all([&](double number) { return meets(claim.reproduced, number); }))
-        return "reproduced";
+    if (all([&](double number) { return meets(claim.reproduced, number); })) return "reproduced";
     return all([&](double number) {
-        return claim.contradicted == "otherwise" ? !meets(claim.reproduced, number)
-                                                 : meets(claim.contradicted, number);
+        return claim.contradicted == "otherwise" ? !meets(claim.reproduced, number) : meets(claim.contradicted, number);
     })
                ? "contradicted"
                : "undecidable";
@@ -430,12 +403,10 @@ void add_claims(Findings& found, const PaperRun& run, const Studies& studies) {
                 numbers.back()["parts"].push_back({{"name", name}, {"value", value}});
         }
         known.resize(2, unknown);
-        table.row(claim.id, claim.place, claim.sentence, claim.measure, claim.rule(), verdict, known[0],
-                  known[1]);
+        table.row(claim.id, claim.place, claim.sentence, claim.measure, claim.rule(), verdict, known[0], known[1]);
         const auto other = run.other_readings.find(claim.id);
-        const std::string figure = claim.place.starts_with("Figure ")
-                                       ? claim.place.substr(7, claim.place.find_last_of("0123456789") - 6)
-                                       : "";
+        const std::string figure =
+            claim.place.starts_with("Figure ") ? claim.place.substr(7, claim.place.find_last_of("0123456789") - 6) : "";
         claims.push_back({{"id", claim.id},
                           {"place", claim.place},
                           {"figure_number", figure},
@@ -464,16 +435,14 @@ std::vector<Refinement> refinements(const VariantRun& variant) {
         return found == stage.candidates.end() ? unknown : found->similarity;
     };
     const auto first = std::ranges::find_if(stages, is_refinement);
-    if (first == stages.end() || first == stages.begin())
-        return {};
+    if (first == stages.end() || first == stages.begin()) return {};
     const auto second = std::find_if(first + 1, stages.end(), is_refinement);
     const StageRecord& last = second == stages.end() ? *first : *second;
     std::vector<Refinement> result;
     for (const Candidate& start : (first - 1)->candidates)
         result.push_back(
             {start.id, {start.similarity, similarity_of(*first, start.id), similarity_of(last, start.id)}});
-    std::ranges::stable_sort(result, std::greater<>(),
-                             [](const Refinement& one) { return one.similarity[0]; });
+    std::ranges::stable_sort(result, std::greater<>(), [](const Refinement& one) { return one.similarity[0]; });
     return result;
 }
 
@@ -481,8 +450,7 @@ std::optional<std::size_t> best_in_part(const TargetRun& target, double Scores::
     const std::vector<Scores>& scores = target.database;
     std::optional<std::size_t> best;
     for (std::size_t genome = 0; genome < scores.size(); ++genome)
-        if (scores[genome].all <= 0.95 && (!best || scores[genome].*part > scores[*best].*part))
-            best = genome;
+        if (scores[genome].all <= 0.95 && (!best || scores[genome].*part > scores[*best].*part)) best = genome;
     return best;
 }
 

@@ -24,8 +24,7 @@ Bindings bindings_of(PaperRun& run) {
     return {
         {max_pressure_setting("paper.", "1.6e-4"), run.max_pressure},
         {ga::whole("database.pairs", "20", 1, "Sobol pairs (H, gamma)").up_to(100000), layout.pairs},
-        {ga::whole("database.phase-columns", "5", 1, "Sobol phase columns").up_to(1000),
-         layout.phase_columns},
+        {ga::whole("database.phase-columns", "5", 1, "Sobol phase columns").up_to(1000), layout.phase_columns},
         {positive("database.A", "1", "amplitude A"), layout.A},
         {positive("database.lambda", "", "longest wave, mm [L]"), layout.lambda},
         {positive("database.shortest-wave", "", "shortest wave, mm [the grid's spacing]"), layout.shortest},
@@ -39,8 +38,7 @@ rough::Target target_of(const Source& scan, const rough::Model& model, const std
     rough::Target target;
     target.name = name;
     target.x.resize(20);
-    for (rough::Index k = 0; k < 20; ++k)
-        target.x[k] = curve.to * static_cast<double>(k + 1) / 20;
+    for (rough::Index k = 0; k < 20; ++k) target.x[k] = curve.to * static_cast<double>(k + 1) / 20;
     target.y = target.x.unaryExpr([&](double p) { return curve.at(p); });
     return target;
 }
@@ -59,14 +57,12 @@ void take_targets(const Settings& settings, PaperRun& run) {
     if (settings.has("target.profile")) {
         const Source scan = scan_from(settings.path("target.profile"), settings, 0, "target.");
         run.model = model_from(settings, scan, "model.");
-        if (!settings.has("model.nodes"))
-            run.model.grid.nodes = 512;
+        if (!settings.has("model.nodes")) run.model.grid.nodes = 512;
         run.targets = {{"measured", target_of(scan, run.model, settings.text("target.profile"))}};
         return;
     }
     if (!settings.has("target.file"))
-        settings.refuse("target.file",
-                        "missing; name a target (CSV), or a measured profile as target.profile");
+        settings.refuse("target.file", "missing; name a target (CSV), or a measured profile as target.profile");
     run.model = model_from(settings, "model.");
     run.targets = {{"drawn", stiffness_from(settings.path("target.file"))}};
     if (settings.has("heldout.file"))
@@ -97,9 +93,8 @@ std::vector<Setting> paper_settings() {
         {"paper.readings", "", "file of sentences on the claims under other readings"},
     };
     PaperRun run;
-    return joined({settings, settings_of(bindings_of(run)),
-                   settings_of(with_bounds({}, run.layout), "database."), scan_settings("target."),
-                   model_settings("model.")});
+    return joined({settings, settings_of(bindings_of(run)), settings_of(with_bounds({}, run.layout), "database."),
+                   scan_settings("target."), model_settings("model.")});
 }
 
 /// The requested models, targets, database and seed; nothing is run. Throws rough::InputError.
@@ -112,11 +107,9 @@ PaperRun paper_from(const Settings& settings, const Origin& origin) {
     take(settings, bindings_of(run));
     take(settings, with_bounds({}, run.layout), "database.");
     expect_in_order(settings, {"database.hurst", "database.gamma", "paper.sweep"});
-    if (settings.has("target.profile"))
-        run.max_pressure = run.targets[0].target.last();
+    if (settings.has("target.profile")) run.max_pressure = run.targets[0].target.last();
     run.p_bar = settings.number("paper.threshold") * run.max_pressure;
-    if (settings.has("paper.readings"))
-        run.other_readings = readings_from(settings.path("paper.readings"));
+    if (settings.has("paper.readings")) run.other_readings = readings_from(settings.path("paper.readings"));
     return run;
 }
 
@@ -151,10 +144,8 @@ std::vector<NamedPipeline> variants_from(const Settings& settings, const rough::
     ga::Parser<DesignProblem> parser(paper_registry(words), texts);
     std::vector<NamedPipeline> variants;
     for (const std::string& name : names)
-        variants.push_back(
-            {name, read_at(settings, "variants." + name, [&] { return parser.variant(name); })});
-    for (const NamedPipeline& variant : variants)
-        expect_no_draws(settings, variant);
+        variants.push_back({name, read_at(settings, "variants." + name, [&] { return parser.variant(name); })});
+    for (const NamedPipeline& variant : variants) expect_no_draws(settings, variant);
     return variants;
 }
 
@@ -166,8 +157,7 @@ nlohmann::json threshold_row(const VariantRun& run, double p_bar) {
     };
     const auto children = rough::column(candidates("score.1"), &Candidate::similarity);
     const auto is_above = [](double similarity) { return similarity > 0.95; };
-    const std::size_t U1 = candidates("pair.1/left/above.1").size(),
-                      U2 = candidates("pair.1/right/above.1").size();
+    const std::size_t U1 = candidates("pair.1/left/above.1").size(), U2 = candidates("pair.1/right/above.1").size();
     return {{"p_bar_MPa", p_bar},
             {"variant", run.name},
             {"U1", U1},
@@ -208,8 +198,7 @@ class Paper {
         const DesignProblem problem(setup);
         target.database = scores_of(run_.database, setup);
         for (const NamedPipeline& variant : variants_) {
-            if (conditions_.stop)
-                return;
+            if (conditions_.stop) return;
             conditions_.progress.show(target.title + ": " + variant.name);
             VariantRun run;
             if (!read_at(settings_, "variants." + variant.name,
@@ -230,8 +219,7 @@ class Paper {
                 from + (to - from) * static_cast<double>(i) / static_cast<double>(std::max(count - 1, 1L));
             const DesignProblem problem(setup_for(target, fraction * run_.max_pressure), memory_);
             for (const std::size_t cross_over : {1u, 2u}) {
-                if (conditions_.stop)
-                    return;
+                if (conditions_.stop) return;
                 conditions_.progress.show(target.title + ": threshold " + std::to_string(i + 1) + " of " +
                                           std::to_string(count));
                 if (VariantRun run; run_into(run, variants_[cross_over], problem))
@@ -256,10 +244,9 @@ class Paper {
         options.threads = run_.origin.threads;
         options.budget.stop = &conditions_.stop;
         observers.insert(observers.begin(), recorder(run.stages));
-        const auto result = ga::run_by(*evaluator_, variant.pipeline, problem, ga::population(genomes_),
-                                       options, observers, keeper);
-        if (result.population.empty())
-            return false;
+        const auto result =
+            ga::run_by(*evaluator_, variant.pipeline, problem, ga::population(genomes_), options, observers, keeper);
+        if (result.population.empty()) return false;
         run.seconds = result.seconds;
         run.notes = result.notes;
         run.answer.genome = in_final_form(problem.setup(), result.population.front().genome);
@@ -288,8 +275,7 @@ class Paper {
         const bool is_scored = run_into(run, variant, problem, {log.observer(problem)}, &checkpoints);
         log.close();
         tell_notes(run.notes);
-        if (!log.trouble.empty())
-            tell_notes({log.trouble});
+        if (!log.trouble.empty()) tell_notes({log.trouble});
         return is_scored;
     }
 
@@ -297,8 +283,7 @@ class Paper {
     PaperRun& run_;
     const RunConditions& conditions_;
     std::unique_ptr<ga::Evaluator<DesignProblem>> evaluator_ = design_evaluator(run_.origin.threads);
-    std::shared_ptr<rough::ResponseMemory> memory_ =
-        std::make_shared<rough::ResponseMemory>(); ///< for the sweep
+    std::shared_ptr<rough::ResponseMemory> memory_ = std::make_shared<rough::ResponseMemory>(); ///< for the sweep
     std::vector<rough::Genome> genomes_;
     std::vector<NamedPipeline> variants_;
 };
@@ -333,11 +318,10 @@ std::vector<Answered> answered(const std::vector<rough::Genome>& genomes, const 
 Experiment paper_experiment() {
     return {.kind = "paper",
             .settings = paper_settings(),
-            .files = rough::listed(
-                "claims.csv, genomes.csv, database.csv, scores.csv, stages.csv, refinements.csv, "
-                "convergence.csv, curves.csv, stiffness.csv, heights.csv, spectra.csv, lines.csv, "
-                "target.csv, thresholds.csv, chromosomes.csv, ridges.csv, fractal-heights.csv, "
-                "fractal-bands.csv, fractal-curves.csv, heldout, log"),
+            .files = rough::listed("claims.csv, genomes.csv, database.csv, scores.csv, stages.csv, refinements.csv, "
+                                   "convergence.csv, curves.csv, stiffness.csv, heights.csv, spectra.csv, lines.csv, "
+                                   "target.csv, thresholds.csv, chromosomes.csv, ridges.csv, fractal-heights.csv, "
+                                   "fractal-bands.csv, fractal-curves.csv, heldout, log"),
             .run = run_paper,
             .resumes = true};
 }

@@ -53,7 +53,7 @@ std::vector<Answered> answered(const std::vector<rough::Genome>& genomes, const 
 /// = 1.5, L = lambda_1 = 0.1 mm, H = 0.8 and A = 1e-2.
 struct ChromosomeExample {
     double wave_length; ///< lambda gamma^(1-n), mm
-    double misfit; ///< largest distance of the sum from the best cosine of that wavelength, over its range
+    double misfit;      ///< largest distance of the sum from the best cosine of that wavelength, over its range
 };
 
 /// Figure 2: how often the paper's condition (10), |g1| <= sqrt(M + 2 g3), holds for random phases.
@@ -103,7 +103,7 @@ struct Studies {
     std::vector<RidgeCount> ridges = {};
     std::vector<FractalStudy> fractals = {}; ///< twenty profiles, on the run's grid and body
     std::vector<GenomeStudy> genomes = {};   ///< one per genome of the database
-    Findings found = {}; ///< tables of the chromosomes, the ridges and the first fractal profile
+    Findings found = {};                     ///< tables of the chromosomes, the ridges and the first fractal profile
 };
 Studies studies_of(const PaperRun& run);
 

@@ -13,15 +13,13 @@ template <class Difference>
 std::vector<double> differences(const rough::Curve& a, const rough::Curve& b, Difference difference) {
     std::vector<double> all;
     for (Eigen::Index i = 0; i < a.x.size(); ++i)
-        if (a.x[i] >= b.from && a.x[i] <= b.to && a.y[i] != 0)
-            all.push_back(difference(a.y[i], b.at(a.x[i])));
+        if (a.x[i] >= b.from && a.x[i] <= b.to && a.y[i] != 0) all.push_back(difference(a.y[i], b.at(a.x[i])));
     return all;
 }
 
 /// Mean relative difference |b - a|/a at the points of `a` within the range of `b`; NaN without such points.
 double relative_gap(const rough::Curve& a, const rough::Curve& b) {
-    return rough::mean(
-        differences(a, b, [](double here, double there) { return std::abs(there / here - 1); }));
+    return rough::mean(differences(a, b, [](double here, double there) { return std::abs(there / here - 1); }));
 }
 
 constexpr double g1_rounding = 1e-12; ///< times M: if |g1| = R, rounding must not affect the result
@@ -54,13 +52,11 @@ FractalStudy study_of(const PaperRun& run, std::uint64_t seed, Findings* found) 
     const rough::Response whole_response = answer(whole);
     const std::vector<rough::Band> bands = rough::octave_bands(whole);
     std::vector<std::optional<rough::Curve>> alone;
-    for (const rough::Band& band : bands)
-        alone.push_back(secant_stiffness(answer({band.heights, whole.spacing})));
+    for (const rough::Band& band : bands) alone.push_back(secant_stiffness(answer({band.heights, whole.spacing})));
     const auto dominant = dominant_parts(secant_stiffness(whole_response), alone).dominant;
     rough::Profile reduced{Eigen::VectorXd::Zero(whole.nodes()), whole.spacing};
     for (std::size_t b = 0; b < bands.size(); ++b)
-        if (dominant[b])
-            reduced.heights += bands[b].heights;
+        if (dominant[b]) reduced.heights += bands[b].heights;
     const rough::Response reduced_response = answer(reduced);
     if (found) {
         Csv &heights = found->table("fractal-heights.csv", "x_mm,whole_mm,reduced_mm", 8),
@@ -70,10 +66,9 @@ FractalStudy study_of(const PaperRun& run, std::uint64_t seed, Findings* found) 
             heights.row(static_cast<double>(i) * whole.spacing, whole.heights[i], reduced.heights[i]);
         for (std::size_t b = 0; b < bands.size(); ++b)
             octaves.row(bands[b].longest, bands[b].shortest, dominant[b] ? 1 : 0);
-        for (const auto& [name, response] :
-             {std::pair("whole", &whole_response), {"reduced", &reduced_response}})
-            for (const auto& [quantity, curve] : {std::pair("stiffness", secant_stiffness(*response)),
-                                                  {"area", area_against_pressure(*response)}})
+        for (const auto& [name, response] : {std::pair("whole", &whole_response), {"reduced", &reduced_response}})
+            for (const auto& [quantity, curve] :
+                 {std::pair("stiffness", secant_stiffness(*response)), {"area", area_against_pressure(*response)}})
                 curves.points(curve.x, curve.y, name, quantity);
     }
     return {similarity(secant_stiffness(whole_response), secant_stiffness(reduced_response)),
@@ -94,16 +89,14 @@ Reduction reduction_of(const Answered& member, const PaperRun& run, const rough:
 
 /// The coarser (longer) or the finer half of a genome's waves alone.
 Genome half_of(const Genome& genome, bool coarse) {
-    return filtered(genome, [&](std::size_t s, std::size_t c) {
-        return (2 * c < genome.series[s].chromosomes.size()) == coarse;
-    });
+    return filtered(
+        genome, [&](std::size_t s, std::size_t c) { return (2 * c < genome.series[s].chromosomes.size()) == coarse; });
 }
 
 /// Change of the curves from the whole genome to the remaining one; NaN if that is flat at the nodes.
 Removal removal(const rough::Response& whole, const Genome& left, const rough::Model& model) {
     const rough::Profile profile = sample(left, model.grid);
-    if (is_flat(profile, left))
-        return {};
+    if (is_flat(profile, left)) return {};
     const rough::Response rest = respond(profile, model.body, model.loading, model.contact);
     return {relative_gap(secant_stiffness(whole), secant_stiffness(rest)),
             relative_gap(area_against_pressure(whole), area_against_pressure(rest))};
@@ -121,8 +114,7 @@ Contacts contacts_of(const Answered& member, const rough::Model& model) {
     for (std::size_t j = 0; j + 1 < states.size(); ++j) {
         const std::set<int> next(states[j + 1].nodes.begin(), states[j + 1].nodes.end());
         contacts.nodes += static_cast<double>(states[j].nodes.size());
-        for (const int node : states[j].nodes)
-            contacts.lost += !next.contains(node);
+        for (const int node : states[j].nodes) contacts.lost += !next.contains(node);
     }
     return contacts;
 }
@@ -143,13 +135,11 @@ ChromosomeExample chromosome_example(int n, std::uint64_t seed, Csv& table) {
         sum += ridges.back();
     }
     table.points(x, sum, n, 0);
-    for (std::size_t m = 0; m < count; ++m)
-        table.points(x, ridges[m], n, m + 1);
+    for (std::size_t m = 0; m < count; ++m) table.points(x, ridges[m], n, m + 1);
     Eigen::MatrixXd cosine(x.size(), 3);
     cosine << Eigen::VectorXd::Ones(x.size()), (k * x.array()).cos().matrix(), (k * x.array()).sin().matrix();
     const Eigen::VectorXd best = cosine * cosine.colPivHouseholderQr().solve(sum);
-    return {rough::wave_length(series, n),
-            (sum - best).cwiseAbs().maxCoeff() / (sum.maxCoeff() - sum.minCoeff())};
+    return {rough::wave_length(series, n), (sum - best).cwiseAbs().maxCoeff() / (sum.maxCoeff() - sum.minCoeff())};
 }
 
 } // namespace
@@ -162,8 +152,7 @@ std::vector<RidgeCount> ridge_study(const std::vector<int>& ridge_counts, int se
         int printed = 0, missing = 0, right = 0;
         for (int set = 0; set < sets; ++set) {
             std::vector<double> phases(static_cast<std::size_t>(M));
-            for (double& phase : phases)
-                phase = random.uniform(0, 2 * std::numbers::pi);
+            for (double& phase : phases) phase = random.uniform(0, 2 * std::numbers::pi);
             const rough::Ridge ridge = rough::collapsed(phases);
             const double g3 = pair_sum(phases);
             const double last = std::cos(phases[phases.size() - 2] - phases.back());
@@ -180,14 +169,11 @@ std::vector<RidgeCount> ridge_study(const std::vector<int>& ridge_counts, int se
 
 Studies studies_of(const PaperRun& run) {
     constexpr int phase_sets = 1000; // as many as the paper's Figure 2
-    const std::vector<int> ridges = {2,  3,  4,   6,   8,   12,  16,  24,  32,  48,
-                                     64, 96, 128, 192, 256, 384, 512, 768, 1024};
+    const std::vector<int> ridges = {2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256, 384, 512, 768, 1024};
     const std::uint64_t seed = run.origin.seed;
-    Studies studies{.ridges = ridge_study(ridges, phase_sets, seed),
-                    .fractals = std::vector<FractalStudy>(20)};
+    Studies studies{.ridges = ridge_study(ridges, phase_sets, seed), .fractals = std::vector<FractalStudy>(20)};
     Csv& chromosomes = studies.found.table("chromosomes.csv", "n,ridge,x_mm,height_mm", 8);
-    for (const int n : {1, 2})
-        studies.chromosomes.push_back(chromosome_example(n, seed, chromosomes));
+    for (const int n : {1, 2}) studies.chromosomes.push_back(chromosome_example(n, seed, chromosomes));
     Csv& shares = studies.found.table("ridges.csv", "ridges,as_printed,last_missing,right_phase");
     for (const RidgeCount& row : studies.ridges)
         shares.row(row.ridges, row.as_printed, row.last_missing, row.right_phase);

@@ -18,14 +18,12 @@ bool is_shown(const std::string& name) { return !name.ends_with("-minimax"); }
 /// "SOG, minimax" for "sog-minimax"; the name itself for a variant of the .ini file.
 std::string shown_name(const std::string& name) {
     const std::string algorithm = name.substr(0, name.find("-minimax"));
-    if (!is_papers(algorithm))
-        return name;
+    if (!is_papers(algorithm)) return name;
     return boost::to_upper_copy(algorithm) + (name == algorithm ? "" : ", minimax");
 }
 
 void add_database_tables(const PaperRun& run, Findings& found) {
-    Csv &genomes =
-            found.table("genomes.csv", "id,H,gamma,phase_column,chromosomes,amplitude_after_rescaling"),
+    Csv &genomes = found.table("genomes.csv", "id,H,gamma,phase_column,chromosomes,amplitude_after_rescaling"),
         &curves = found.table("database.csv", "id,pressure_MPa,stiffness_MPa_per_mm", 8);
     for (std::size_t i = 0; i < run.database.size(); ++i) {
         const auto& series = run.database[i].genome.series.front();
@@ -55,14 +53,12 @@ void add_search_tables(const TargetRun& target, const std::string& place, Findin
                 stages.row(variant.name, stage.path, one.id, parent(0), parent(1), one.similarity);
                 best = std::fmax(best, one.similarity);
             }
-            if (std::isfinite(best))
-                convergence.row(variant.name, shown_name(variant.name), stage.spent, best);
+            if (std::isfinite(best)) convergence.row(variant.name, shown_name(variant.name), stage.spent, best);
         }
         const auto candidates = refinements(variant);
         for (std::size_t rank = 0; rank < candidates.size(); ++rank)
             for (std::size_t stage = 0; stage < 3; ++stage)
-                refined.row(variant.name, rank + 1, candidates[rank].id, stage,
-                            candidates[rank].similarity[stage]);
+                refined.row(variant.name, rank + 1, candidates[rank].id, stage, candidates[rank].similarity[stage]);
     }
     for (const json& row : target.thresholds)
         found
@@ -72,8 +68,7 @@ void add_search_tables(const TargetRun& target, const std::string& place, Findin
 }
 
 /// Curves, heights and spectra of the answers.
-void add_answer_tables(const PaperRun& run, const TargetRun& target, const std::string& place,
-                       Findings& found) {
+void add_answer_tables(const PaperRun& run, const TargetRun& target, const std::string& place, Findings& found) {
     Csv &curves = found.table(place + "curves.csv", "variant,displacement_mm,pressure_MPa,contact_fraction,"
                                                     "tangent_stiffness_MPa_per_mm,kkt_residual"),
         &stiffness = found.table(place + "stiffness.csv", "variant,pressure_MPa,stiffness_MPa_per_mm", 8),
@@ -83,10 +78,9 @@ void add_answer_tables(const PaperRun& run, const TargetRun& target, const std::
     for (const VariantRun& variant : target.variants) {
         const rough::Response& response = variant.answer.response;
         for (rough::Index j = 0; j < response.steps(); ++j)
-            curves.row(variant.name, response.displacement[j], response.pressure[j],
-                       response.contact_fraction[j], response.tangent_stiffness[j], response.kkt_residual[j]);
-        if (!is_shown(variant.name))
-            continue;
+            curves.row(variant.name, response.displacement[j], response.pressure[j], response.contact_fraction[j],
+                       response.tangent_stiffness[j], response.kkt_residual[j]);
+        if (!is_shown(variant.name)) continue;
         const rough::Curve K = to_its_end(secant_stiffness(response));
         stiffness.points(K.x, K.y, variant.name);
         const rough::Profile profile = sample(variant.answer.genome, run.model.grid);
@@ -95,11 +89,9 @@ void add_answer_tables(const PaperRun& run, const TargetRun& target, const std::
         spectra.points(spectrum.wave_number, spectrum.density, variant.name);
         // The peak of a cosine's density under a Hann window; its mean square is 1.5 times its squared mean.
         for (const rough::SpectralLine& line : discrete_spectrum(variant.answer.genome))
-            lines.row(variant.name, line.wave_number, line.power,
-                      line.power / (1.5 * spectrum.wave_number[0]));
+            lines.row(variant.name, line.wave_number, line.power, line.power / (1.5 * spectrum.wave_number[0]));
     }
-    found.table(place + "target.csv", "pressure_MPa,stiffness_MPa_per_mm")
-        .points(target.target.x, target.target.y);
+    found.table(place + "target.csv", "pressure_MPa,stiffness_MPa_per_mm").points(target.target.x, target.target.y);
 }
 
 /// The runs on one target as the page shows them.
@@ -114,16 +106,14 @@ json target_page(const TargetRun& target, const std::string& folder) {
         best = std::fmax(best, variant.similarity);
         if (is_shown(variant.name)) {
             result["shown"] = result["shown"].get<std::string>() + " " + variant.name;
-            result["shown_variants"].push_back({{"title", shown_name(variant.name)},
-                                                {"on", target.title},
-                                                {"figure", variant.name + " " + folder}});
+            result["shown_variants"].push_back(
+                {{"title", shown_name(variant.name)}, {"on", target.title}, {"figure", variant.name + " " + folder}});
         }
         const Candidate& answer = variant.stages.back().candidates.front();
         std::string descent;
         for (const std::uint64_t parent : answer.parents)
             descent += (descent.empty() ? "" : " + ") + std::to_string(parent);
-        if (descent.empty())
-            descent = std::to_string(answer.id);
+        if (descent.empty()) descent = std::to_string(answer.id);
         const auto candidates = refinements(variant);
         json row = variant;
         row.update({{"name", shown_name(variant.name)},
@@ -170,8 +160,8 @@ Findings findings_of(const PaperRun& run, const Studies& studies) {
         target_figure += shown + " " + target.title + " ";
         add_search_tables(target, place, found);
         add_answer_tables(run, target, place, found);
-        json result = result_json(
-            run.origin, paper_setup(run.model, target.target, run.max_pressure, run.p_bar), target.variants);
+        json result = result_json(run.origin, paper_setup(run.model, target.target, run.max_pressure, run.p_bar),
+                                  target.variants);
         result["threshold_MPa"] = run.p_bar;
         if (first)
             page.update(result);

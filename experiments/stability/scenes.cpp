@@ -38,32 +38,28 @@ struct SceneList {
     }
 
     /// Adds a scene with five steps to 0.9 of the reach, unless displacements are given.
-    ContactScene& add(const std::string& name, const VectorXd& heights,
-                      const std::vector<double>& displacements = {}) {
+    ContactScene& add(const std::string& name, const VectorXd& heights, const std::vector<double>& displacements = {}) {
         const Index nodes = heights.size();
         return scenes.emplace_back(ContactScene{
             .name = name,
-            .profile = {heights,
-                        length / static_cast<double>(kernel == Kernel::periodic ? nodes : nodes - 1)},
+            .profile = {heights, length / static_cast<double>(kernel == Kernel::periodic ? nodes : nodes - 1)},
             .body = completed(Body{.kernel = kernel}, length),
             .displacements = displacements.empty() ? even_steps(0.9 * reach_of(heights), 5) : displacements});
     }
 
-    ContactScene& add_map(const std::string& name, rough::Extent shape, double contact,
-                          MapShape kind = MapShape::rough, double stretch = 1) {
+    ContactScene& add_map(const std::string& name, rough::Extent shape, double contact, MapShape kind = MapShape::rough,
+                          double stretch = 1) {
         return scenes.emplace_back(
             map_scene(name, {.kernel = kernel}, shape,
                       {.hurst = 0.8, .shortest = 6, .seed = 7, .shape = kind, .stretch = stretch}, contact));
     }
 
     /// Adds a line under loads that are shares of the load at 0.9 of the reach.
-    ContactScene& add_loads(const std::string& name, const VectorXd& heights,
-                            const std::vector<double>& shares) {
+    ContactScene& add_loads(const std::string& name, const VectorXd& heights, const std::vector<double>& shares) {
         ContactScene& scene = add(name, heights, {0.9 * reach_of(heights)});
         const double heavy = solve_contact(scene.profile, scene.body, scene.displacements).steps[0].pressure;
         scene.displacements.clear();
-        for (const double share : shares)
-            scene.pressures.push_back(share * heavy);
+        for (const double share : shares) scene.pressures.push_back(share * heavy);
         return scene;
     }
 };
@@ -86,8 +82,7 @@ void add_loaded_lines(SceneList& list) {
     list.add_loads("line-loads", rough, {1e-6, 1e-3, 0.1, 1});
     ContactScene& capped = list.add_loads("line-hardness", rough, {0.01, 0.1});
     capped.body.hardness = 2 * capped.pressures.back(); // half of the nodes carry the load at it
-    if (list.kernel != Kernel::periodic)
-        return;
+    if (list.kernel != Kernel::periodic) return;
     press_nearly_flat(list.add("line-near-full-load", rough));
     for (const auto& [layer, layering] : layers) {
         const std::string name = "line-" + layer;
@@ -111,8 +106,7 @@ void add_loadings(SceneList& list) {
     list.add("zero-approach", rough, {0});
     list.add("single-step", rough, {0.9 * reach});
     std::vector<double> fine;
-    for (int j = 0; j < 20; ++j)
-        fine.push_back(reach * (0.5 + 1e-6 * j));
+    for (int j = 0; j < 20; ++j) fine.push_back(reach * (0.5 + 1e-6 * j));
     list.add("step-1e-6", rough, fine);
     if (list.kernel == Kernel::periodic) {
         list.add("near-full-contact", rough, {0.9 * reach, 0.999 * reach, (1 - 1e-6) * reach});
@@ -142,14 +136,12 @@ void add_shapes(SceneList& list) {
     VectorXd spike = rough_heights(n);
     spike[70] = spike.maxCoeff() + 10 * range_of(spike);
     list.add("spike", spike);
-    list.add("saw-tooth",
-             VectorXd::NullaryExpr(n, [](Index i) { return 0.004 * static_cast<double>(i % 16); }));
+    list.add("saw-tooth", VectorXd::NullaryExpr(n, [](Index i) { return 0.004 * static_cast<double>(i % 16); }));
     const VectorXd flat = VectorXd::Constant(n, 0.3);
     list.add("flat", flat, {0.001, 0.01}).has_solution = list.kernel != Kernel::periodic;
     if (list.kernel == Kernel::periodic)
         list.add("periodic-jump", VectorXd::NullaryExpr(n, [&](Index i) {
-                     return 0.05 * std::cos(10.7 * static_cast<double>(i) / n) -
-                            0.001 * static_cast<double>(i);
+                     return 0.05 * std::cos(10.7 * static_cast<double>(i) / n) - 0.001 * static_cast<double>(i);
                  }));
     list.add("nodes-2", Eigen::Vector2d(0, -0.01));
     list.add("nodes-3", Eigen::Vector3d(-0.02, 0, -0.01));
@@ -198,8 +190,7 @@ const std::pair<const char*, double> contacts[] = {{"0.1", 0.001}, {"1", 0.01}, 
 
 void add_maps(SceneList& list, bool large) {
     const auto at_loads = [&](const std::string& name, rough::Extent shape) {
-        for (const auto& [percent, contact] : contacts)
-            list.add_map(name + "-load-" + percent, shape, contact);
+        for (const auto& [percent, contact] : contacts) list.add_map(name + "-load-" + percent, shape, contact);
     };
     at_loads("map", {48, 48});
     for (const double contact : {0.1, 0.9}) {
@@ -216,8 +207,7 @@ void add_maps(SceneList& list, bool large) {
         for (const double stretch : {0.1, 10.0})
             list.add_map((stretch > 1 ? "map-wide-cells" : "map-narrow-cells") + share, {30, 30}, contact,
                          MapShape::rough, stretch);
-        if (list.kernel != Kernel::periodic)
-            continue;
+        if (list.kernel != Kernel::periodic) continue;
         for (const auto& layer : layers)
             list.add_map("map-" + layer.first + share, {48, 48}, contact).body.layering = layer.second;
     }
@@ -228,8 +218,7 @@ void add_maps(SceneList& list, bool large) {
         press_nearly_flat(layered);
     }
     if (large)
-        for (const Index side : {256, 1024})
-            at_loads("map-" + std::to_string(side), {side, side});
+        for (const Index side : {256, 1024}) at_loads("map-" + std::to_string(side), {side, side});
 }
 
 /// Gives a map the extremes of a shape.
@@ -247,25 +236,24 @@ void reshape(VectorXd& heights, MapShape shape) {
 
 } // namespace
 
-ContactScene map_scene(const std::string& name, const Body& body, rough::Extent shape,
-                       const SelfAffineMap& roughness, double contact) {
+ContactScene map_scene(const std::string& name, const Body& body, rough::Extent shape, const SelfAffineMap& roughness,
+                       double contact) {
     constexpr double slope = 0.1;
     const double spacing = length / static_cast<double>(shape.columns),
                  width = roughness.stretch * spacing * static_cast<double>(shape.rows);
     ContactScene scene{.name = name,
-                       .profile = rough::realised(
-                           rough::SelfAffine{.hurst = roughness.hurst,
-                                             .longest = 0.5 * length,
-                                             .shortest = roughness.shortest * spacing,
-                                             .rms_slope = slope},
-                           rough::Grid{shape.columns, length, true, 0, shape.rows, width}, roughness.seed),
+                       .profile = rough::realised(rough::SelfAffine{.hurst = roughness.hurst,
+                                                                    .longest = 0.5 * length,
+                                                                    .shortest = roughness.shortest * spacing,
+                                                                    .rms_slope = slope},
+                                                  rough::Grid{shape.columns, length, true, 0, shape.rows, width},
+                                                  roughness.seed),
                        .body = body,
                        .displacements = {},
                        .pressures = {persson_load(contact, slope)}};
     reshape(scene.profile.heights, roughness.shape);
     if (body.kernel == Kernel::periodic)
-        scene.pressures[0] =
-            std::min(scene.pressures[0], 0.999 * full_contact_load(scene.profile, scene.body));
+        scene.pressures[0] = std::min(scene.pressures[0], 0.999 * full_contact_load(scene.profile, scene.body));
     return scene;
 }
 

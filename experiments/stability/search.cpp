@@ -27,13 +27,10 @@ Evaluation work_of(const std::vector<double>& genome, const std::atomic<bool>& s
     rough::ContactOptions options;
     options.stop = [&stop] { return stop.load(); };
     ContactTrial trial = try_contact(scene, options);
-    if (stop)
-        throw ga::Stopped{"stop requested"};
+    if (stop) throw ga::Stopped{"stop requested"};
     verify(scene, trial);
-    if (trial.outcome == Outcome::wrong)
-        return {{wrong}};
-    if (trial.outcome == Outcome::not_converged)
-        return {{failed}};
+    if (trial.outcome == Outcome::wrong) return {{wrong}};
+    if (trial.outcome == Outcome::not_converged) return {{failed}};
     return {{static_cast<double>(trial.curve.iterations) / static_cast<double>(scene.steps())}};
 }
 
@@ -41,8 +38,7 @@ Evaluation work_of(const std::vector<double>& genome, const std::atomic<bool>& s
 
 std::string bred_name(const std::vector<double>& genome) {
     std::string name = mark;
-    for (const double gene : rounded(thousandths, genome))
-        name += (name == mark ? "" : ",") + ga::number(gene / 1000);
+    for (const double gene : rounded(thousandths, genome)) name += (name == mark ? "" : ",") + ga::number(gene / 1000);
     return name;
 }
 
@@ -56,20 +52,17 @@ ContactScene bred_scene(const std::string& name) {
             throw rough::InputError("'" + word + "' is not a gene; give numbers from 0 to 1", "scene");
         gene.push_back(*number);
     }
-    if (gene.size() == old_gene_count)
-        gene.resize(gene_count, 0.0);
+    if (gene.size() == old_gene_count) gene.resize(gene_count, 0.0);
     if (gene.size() != gene_count)
-        throw rough::InputError("a bred scene has " + std::to_string(gene.size()) + " genes; give " +
-                                    std::to_string(gene_count),
-                                "scene");
+        throw rough::InputError(
+            "a bred scene has " + std::to_string(gene.size()) + " genes; give " + std::to_string(gene_count), "scene");
     const auto side = [](double u) { return static_cast<rough::Index>(std::round(8 * std::exp2(3 * u))); };
     const auto between = [](double from, double to, double u) { return from * std::pow(to / from, u); };
     rough::Body body;
     body.kernel = gene[2] < 0.4 ? rough::Kernel::free : rough::Kernel::periodic;
     if (gene[2] > 0.7) // a layer, on a rigid base if the next gene is below 1/2
-        body.layering = {
-            .layers = {{between(0.01, 0.3, gene[6]), between(0.1, 10, gene[7]), 0.499 * gene[6]}},
-            .rigid_base = gene[7] < 0.5};
+        body.layering = {.layers = {{between(0.01, 0.3, gene[6]), between(0.1, 10, gene[7]), 0.499 * gene[6]}},
+                         .rigid_base = gene[7] < 0.5};
     const SelfAffineMap roughness{
         .hurst = 0.1 + 0.85 * gene[3],
         .shortest = between(2, 16, gene[4]),
@@ -79,13 +72,11 @@ ContactScene bred_scene(const std::string& name) {
     const double contact = 1 / (1 + std::exp(7 - 16 * gene[8]));
     ContactScene scene = map_scene(name, body, {side(gene[0]), side(gene[1])}, roughness, contact);
     if (gene[13] > 0.7 && body.kernel == rough::Kernel::periodic) // from 0.1 to 1e-7 below full contact
-        scene.pressures[0] =
-            (1 - between(0.1, 1e-7, (gene[13] - 0.7) / 0.3)) * full_contact_load(scene.profile, body);
+        scene.pressures[0] = (1 - between(0.1, 1e-7, (gene[13] - 0.7) / 0.3)) * full_contact_load(scene.profile, body);
     const double pressure = scene.pressures[0];
     const int steps = 1 + static_cast<int>(4 * gene[9]);
     scene.pressures = even_steps(pressure, steps);
-    if (gene[10] > 0.5)
-        scene.body.hardness = pressure * between(1.2, 100, 2 * gene[10] - 1);
+    if (gene[10] > 0.5) scene.body.hardness = pressure * between(1.2, 100, 2 * gene[10] - 1);
     return scene;
 }
 

@@ -43,8 +43,7 @@ ContactScene bred_scene(const std::string& name);
 /// Breeds maps on which the solver `auto` fails, is contradicted by another one, or takes the most products
 /// with H per load step. A genetic algorithm of the engine presses `evaluations` maps. Returns the ten worst,
 /// the worst first.
-std::vector<ContactScene> bred_scenes(long evaluations, std::uint64_t seed, int threads,
-                                      const std::atomic<bool>& stop);
+std::vector<ContactScene> bred_scenes(long evaluations, std::uint64_t seed, int threads, const std::atomic<bool>& stop);
 
 /// The verdict on trials in words: first wrong curves, then the scenes on which `auto` failed, then numbers
 /// of the other solvers. `rows` have scene, kernel, method and outcome; `unsolvable` are scenes without a

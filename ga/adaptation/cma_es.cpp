@@ -10,8 +10,7 @@ namespace {
 /// Reflects a value at its bounds until it is between them.
 double mirrored(double value, const Variable& v) {
     const double width = v.upper - v.lower;
-    if ((value >= v.lower && value <= v.upper) || !std::isfinite(width))
-        return reflected(value, v);
+    if ((value >= v.lower && value <= v.upper) || !std::isfinite(width)) return reflected(value, v);
     return std::clamp(v.lower + std::abs(std::remainder(value - v.lower, 2 * width)), v.lower, v.upper);
 }
 
@@ -26,8 +25,7 @@ Eigen::VectorXd coordinates(const std::vector<double>& genes, const std::vector<
 } // namespace
 
 CmaConstants::CmaConstants(Eigen::Index variables, std::size_t children)
-    : lambda(children), mu(static_cast<Eigen::Index>(children / 2)),
-      weights(static_cast<Eigen::Index>(children)) {
+    : lambda(children), mu(static_cast<Eigen::Index>(children / 2)), weights(static_cast<Eigen::Index>(children)) {
     const auto n = static_cast<double>(variables);
     for (Eigen::Index i = 0; i < weights.size(); ++i) // Eq. 49
         weights[i] = std::log((static_cast<double>(children) + 1) / 2) - std::log(static_cast<double>(i + 1));
@@ -61,26 +59,23 @@ Eigen::VectorXd SearchDistribution::whitened(const Eigen::VectorXd& y) const {
     return axes * (axes.transpose() * y).cwiseQuotient(scales);
 }
 
-void SearchDistribution::learn(const CmaConstants& c, const Eigen::MatrixXd& steps,
-                               const std::vector<bool>& altered) {
+void SearchDistribution::learn(const CmaConstants& c, const Eigen::MatrixXd& steps, const std::vector<bool>& altered) {
     const Eigen::Index n = mean.size(), used = std::min(steps.cols(), c.weights.size());
     const Eigen::Index parents = std::min(c.mu, used);
     Eigen::VectorXd weights = c.weights.head(used);
     weights.head(parents) /= weights.head(parents).sum();
     for (Eigen::Index i = parents; i < used; ++i)
-        if (const auto k = static_cast<std::size_t>(i); k < altered.size() && altered[k])
-            weights[i] = 0;
+        if (const auto k = static_cast<std::size_t>(i); k < altered.size() && altered[k]) weights[i] = 0;
     const Eigen::VectorXd step = steps.leftCols(parents) * weights.head(parents); // Eq. 41
     mean += sigma * step;                                                         // Eq. 42
-    path_sigma = (1 - c.c_sigma) * path_sigma +
-                 std::sqrt(c.c_sigma * (2 - c.c_sigma) * c.mu_eff) * whitened(step); // Eq. 43
+    path_sigma =
+        (1 - c.c_sigma) * path_sigma + std::sqrt(c.c_sigma * (2 - c.c_sigma) * c.mu_eff) * whitened(step); // Eq. 43
     ++learnt;
     const double length = path_sigma.norm() / c.chi;
     const double stationary = 1 - std::pow(1 - c.c_sigma, 2 * static_cast<double>(learnt));
     const bool calm = length / std::sqrt(stationary) < 1.4 + 2 / (static_cast<double>(n) + 1);
     path_c = (1 - c.c_c) * path_c;
-    if (calm)
-        path_c += std::sqrt(c.c_c * (2 - c.c_c) * c.mu_eff) * step; // Eq. 45
+    if (calm) path_c += std::sqrt(c.c_c * (2 - c.c_c) * c.mu_eff) * step; // Eq. 45
     const double decay = 1 + (calm ? 0 : c.c_1 * c.c_c * (2 - c.c_c)) - c.c_1 - c.c_mu * weights.sum();
     for (Eigen::Index i = parents; i < used; ++i) // Eq. 46
         weights[i] *= static_cast<double>(n) / std::max(whitened(steps.col(i)).squaredNorm(), 1e-300);
@@ -89,8 +84,7 @@ void SearchDistribution::learn(const CmaConstants& c, const Eigen::MatrixXd& ste
                   c.c_mu * columns * weights.asDiagonal() * columns.transpose())
                      .eval();                                               // Eq. 47
     sigma *= std::exp(std::min(1.0, c.c_sigma / c.d_sigma * (length - 1))); // Eq. 44
-    if (learnt - drawn < c.every)
-        return;
+    if (learnt - drawn < c.every) return;
     covariance = (0.5 * (covariance + covariance.transpose())).eval();
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(covariance);
     axes = solver.eigenvectors();
@@ -108,72 +102,59 @@ void CmaRecord::note(const std::vector<double>& values, std::size_t lambda) {
 
 void CmaRecord::forget(std::size_t window) {
     for (auto* each : {&best, &median, &equal})
-        if (each->size() > 2 * window)
-            each->erase(each->begin(), each->end() - static_cast<std::ptrdiff_t>(window));
+        if (each->size() > 2 * window) each->erase(each->begin(), each->end() - static_cast<std::ptrdiff_t>(window));
 }
 
 const char* stop_criterion(const SearchDistribution& distribution, const CmaConstants& c, CmaRecord& record,
                            double scale) {
     const auto n = static_cast<double>(distribution.mean.size()), lambda = static_cast<double>(c.lambda);
     const auto last = [](const std::vector<double>& all, double count) {
-        return std::vector<double>(static_cast<double>(all.size()) > count
-                                       ? all.end() - static_cast<std::ptrdiff_t>(count)
-                                       : all.begin(),
-                                   all.end());
+        return std::vector<double>(
+            static_cast<double>(all.size()) > count ? all.end() - static_cast<std::ptrdiff_t>(count) : all.begin(),
+            all.end());
     };
     const double few = 10 + std::ceil(30 * n / lambda), many = 120 + std::ceil(30 * n / lambda);
     record.forget(static_cast<std::size_t>(std::max(many, n)));
     const auto generations = static_cast<double>(distribution.learnt);
     const Eigen::VectorXd deviations = distribution.sigma * distribution.covariance.diagonal().cwiseSqrt();
-    if (generations >= 100 + 50 * (n + 3) * (n + 3) / std::sqrt(lambda))
-        return "MaxIter";
+    if (generations >= 100 + 50 * (n + 3) * (n + 3) / std::sqrt(lambda)) return "MaxIter";
     if (generations >= few) {
         const auto recent = last(record.best, few);
         const auto [low, high] = std::minmax_element(recent.begin(), recent.end());
-        if (*high - *low < 1e-12)
-            return "TolHistFun";
+        if (*high - *low < 1e-12) return "TolHistFun";
     }
     const auto equal = last(record.equal, n);
-    if (generations >= n && std::accumulate(equal.begin(), equal.end(), 0.0) > n / 3)
-        return "EqualFunVals";
+    if (generations >= n && std::accumulate(equal.begin(), equal.end(), 0.0) > n / 3) return "EqualFunVals";
     if (deviations.maxCoeff() < 1e-12 * scale &&
         distribution.sigma * distribution.path_c.cwiseAbs().maxCoeff() < 1e-12 * scale)
         return "TolX";
-    if (!(distribution.sigma <= 1e20 * scale * distribution.scales.maxCoeff()))
-        return "TolUpSigma";
+    if (!(distribution.sigma <= 1e20 * scale * distribution.scales.maxCoeff())) return "TolUpSigma";
     if (static_cast<double>(record.best.size()) >= many) {
         const auto middle = [](std::vector<double> part) {
-            std::nth_element(part.begin(), part.begin() + static_cast<std::ptrdiff_t>(part.size() / 2),
-                             part.end());
+            std::nth_element(part.begin(), part.begin() + static_cast<std::ptrdiff_t>(part.size() / 2), part.end());
             return part[part.size() / 2];
         };
         const auto better = [&](const std::vector<double>& all) {
             const auto window = last(all, many);
             return middle({window.end() - 20, window.end()}) > middle({window.begin(), window.begin() + 20});
         };
-        if (!better(record.best) && !better(record.median))
-            return "Stagnation";
+        if (!better(record.best) && !better(record.median)) return "Stagnation";
     }
-    if (std::pow(distribution.scales.maxCoeff() / distribution.scales.minCoeff(), 2) > 1e14)
-        return "ConditionCov";
+    if (std::pow(distribution.scales.maxCoeff() / distribution.scales.minCoeff(), 2) > 1e14) return "ConditionCov";
     const Eigen::Index axis = distribution.learnt % distribution.mean.size();
-    if (distribution.mean == distribution.mean + 0.1 * distribution.sigma * distribution.scales[axis] *
-                                                     distribution.axes.col(axis))
+    if (distribution.mean ==
+        distribution.mean + 0.1 * distribution.sigma * distribution.scales[axis] * distribution.axes.col(axis))
         return "NoEffectAxis";
-    if (((distribution.mean + 0.2 * deviations).array() == distribution.mean.array()).any())
-        return "NoEffectCoord";
+    if (((distribution.mean + 0.2 * deviations).array() == distribution.mean.array()).any()) return "NoEffectCoord";
     return nullptr;
 }
 
 CmaPlan::Run CmaPlan::next(long spent, bool both, Stream& random) {
-    if (begun)
-        (now_large ? large : small) += spent;
-    if (now_large)
-        last_large = spent;
+    if (begun) (now_large ? large : small) += spent;
+    if (now_large) last_large = spent;
     begun = true;
     now_large = !both || large <= small;
-    if (now_large)
-        return {usual << std::min<std::size_t>((both ? 1 : 2) * ++restarts, 20), 1, 0};
+    if (now_large) return {usual << std::min<std::size_t>((both ? 1 : 2) * ++restarts, 20), 1, 0};
     const double ratio = 0.5 * std::pow(2, static_cast<double>(restarts)), u = random.uniform();
     const double children = static_cast<double>(usual) * std::pow(ratio, u * u);
     return {static_cast<std::size_t>(children), std::pow(10, -2 * random.uniform()), last_large / 2};
@@ -181,8 +162,7 @@ CmaPlan::Run CmaPlan::next(long spent, bool both, Stream& random) {
 
 void CmaEs::begin(const std::vector<double>& genes, std::vector<Variable> moving, State& state) const {
     std::erase_if(moving, [&](const Variable& v) { return !(v.lower < v.upper) || v.gene >= genes.size(); });
-    if (moving.empty())
-        throw UsageError("cma-es: the genome has no gene that may move; give bounds that differ");
+    if (moving.empty()) throw UsageError("cma-es: the genome has no gene that may move; give bounds that differ");
     state.moving = std::move(moving);
     state.first = coordinates(genes, state.moving);
     state.run.lambda = state.plan.usual =
@@ -207,16 +187,14 @@ void CmaEs::begin_again(State& state, Stream& random) const {
 void to_json(nlohmann::json& j, const CmaEs::State& s) {
     const auto numbers = [](const auto& m) { return std::vector<double>(m.data(), m.data() + m.size()); };
     std::vector<double> moving;
-    for (const Variable& v : s.moving)
-        moving.insert(moving.end(), {static_cast<double>(v.gene), v.lower, v.upper});
+    for (const Variable& v : s.moving) moving.insert(moving.end(), {static_cast<double>(v.gene), v.lower, v.upper});
     const SearchDistribution& c = s.distribution;
     j = {moving,
          numbers(s.first),
-         {numbers(c.mean), c.sigma, numbers(c.covariance), numbers(c.path_sigma), numbers(c.path_c),
-          numbers(c.axes), numbers(c.scales), c.learnt, c.drawn},
+         {numbers(c.mean), c.sigma, numbers(c.covariance), numbers(c.path_sigma), numbers(c.path_c), numbers(c.axes),
+          numbers(c.scales), c.learnt, c.drawn},
          {s.record.best, s.record.median, s.record.equal, s.record.spent},
-         {s.plan.usual, s.plan.restarts, s.plan.large, s.plan.small, s.plan.last_large, s.plan.now_large,
-          s.plan.begun},
+         {s.plan.usual, s.plan.restarts, s.plan.large, s.plan.small, s.plan.last_large, s.plan.now_large, s.plan.begun},
          {s.run.lambda, s.run.shrink, s.run.max_evaluations},
          s.children,
          s.ended,
@@ -233,8 +211,7 @@ void from_json(const nlohmann::json& j, CmaEs::State& s) {
     const auto moving = j.at(0).get<std::vector<double>>();
     expect_fit(moving.size() % 3 == 0);
     for (std::size_t i = 0; i < moving.size(); i += 3) {
-        expect_fit(moving[i] >= (i > 0 ? moving[i - 3] + 1 : 0) && moving[i] < 1e9 &&
-                   moving[i + 1] < moving[i + 2]);
+        expect_fit(moving[i] >= (i > 0 ? moving[i - 3] + 1 : 0) && moving[i] < 1e9 && moving[i + 1] < moving[i + 2]);
         s.moving.push_back({static_cast<std::size_t>(moving[i]), moving[i + 1], moving[i + 2]});
     }
     const auto n = static_cast<Eigen::Index>(s.moving.size());
@@ -271,30 +248,25 @@ void CmaEs::learn(const std::vector<Child>& scored, const CmaConstants& constant
         Eigen::VectorXd step =
             (coordinates(child.genes, state.moving) - state.distribution.mean) / state.distribution.sigma;
         if (child.refined)
-            step *=
-                std::min(1.0, (std::sqrt(n) + 2 * n / (n + 2)) / state.distribution.whitened(step).norm());
+            step *= std::min(1.0, (std::sqrt(n) + 2 * n / (n + 2)) / state.distribution.whitened(step).norm());
         steps.col(static_cast<Eigen::Index>(values.size())) = step;
         altered.push_back(child.mirrored);
         values.push_back(child.value);
     }
-    if (values.empty())
-        return;
+    if (values.empty()) return;
     state.distribution.learn(constants, steps, altered);
     state.record.note(values, state.run.lambda);
 }
 
 void CmaEs::draw(std::size_t k, Stream stream, std::vector<double>& genes, State& state) {
     Eigen::VectorXd z(state.first.size());
-    for (double& each : z)
-        each = stream.normal();
+    for (double& each : z) each = stream.normal();
     const Eigen::VectorXd x = state.distribution.at(z);
     for (std::size_t i = 0; i < state.moving.size(); ++i) {
         const Variable& v = state.moving[i];
         const double drawn = x[static_cast<Eigen::Index>(i)] * width(v);
-        if (drawn < v.lower || drawn > v.upper)
-            state.mirrored[k] = true;
-        if (v.gene < genes.size())
-            genes[v.gene] = mirrored(drawn, v);
+        if (drawn < v.lower || drawn > v.upper) state.mirrored[k] = true;
+        if (v.gene < genes.size()) genes[v.gene] = mirrored(drawn, v);
     }
 }
 

@@ -10,18 +10,17 @@ namespace ga {
 /// The constants of CMA-ES for n variables and `lambda` children (Hansen, The CMA Evolution Strategy: A
 /// Tutorial, arXiv:1604.00772, 2016; also for equation numbers).
 struct CmaConstants {
-    std::size_t lambda; ///< number of children per generation
-    Eigen::Index mu;    ///< number of parents: children whose weight is above 0
-    Eigen::VectorXd
-        weights;        ///< size lambda, best child first; the first mu sum to 1, later ones are 0 or less
-    double mu_eff;      ///< variance-effective number of parents, Eq. 8
-    double c_c;         ///< decay of C's path, Eq. 56
-    double c_sigma;     ///< decay of sigma's path, Eq. 55
-    double c_1;         ///< rate of the rank-one update, Eq. 57
-    double c_mu;        ///< rate of the rank-mu update, Eq. 58
-    double d_sigma;     ///< damping of sigma, Eq. 55
-    double chi;         ///< expected length of a standard normal vector
-    Eigen::Index every; ///< generations between two decompositions of the covariance, 1 or more
+    std::size_t lambda;      ///< number of children per generation
+    Eigen::Index mu;         ///< number of parents: children whose weight is above 0
+    Eigen::VectorXd weights; ///< size lambda, best child first; the first mu sum to 1, later ones are 0 or less
+    double mu_eff;           ///< variance-effective number of parents, Eq. 8
+    double c_c;              ///< decay of C's path, Eq. 56
+    double c_sigma;          ///< decay of sigma's path, Eq. 55
+    double c_1;              ///< rate of the rank-one update, Eq. 57
+    double c_mu;             ///< rate of the rank-mu update, Eq. 58
+    double d_sigma;          ///< damping of sigma, Eq. 55
+    double chi;              ///< expected length of a standard normal vector
+    Eigen::Index every;      ///< generations between two decompositions of the covariance, 1 or more
 
     /// The number of children by Eq. 48.
     static std::size_t usual_children(Eigen::Index n) {
@@ -105,10 +104,9 @@ struct CmaPlan {
 /// external solutions into CMA-ES). After a run has ended (`stop_criterion`), CmaPlan starts another at a
 /// uniform random mean; genes without bounds start as in the first run.
 struct CmaEs : Operator {
-    double sigma = 0.3; ///< first standard deviation, as a fraction of the distance between bounds, > 0
-    std::size_t population = 0; ///< number of children of the first run; 0 for 4 + 3 ln n
-    std::string restarts =
-        "bipop"; ///< ipop, bipop, or none; with none an ended run returns its population unchanged
+    double sigma = 0.3;             ///< first standard deviation, as a fraction of the distance between bounds, > 0
+    std::size_t population = 0;     ///< number of children of the first run; 0 for 4 + 3 ln n
+    std::string restarts = "bipop"; ///< ipop, bipop, or none; with none an ended run returns its population unchanged
 
     /// The learnt state. Coordinates are genes divided by the distance between their bounds.
     struct State {
@@ -130,19 +128,17 @@ struct CmaEs : Operator {
                 "Ostermeier)"};
     }
     static void describe(auto& self, auto visit) {
-        visit(self.sigma, number("sigma", above_zero, no_limit,
-                                 "first step, as a fraction of the distance between bounds")
-                              .keyed());
         visit(
-            self.population,
-            whole("population", 0, "children of the first run; 0 for 4 + 3 ln n").up_to(1e6).keyed().quiet());
+            self.sigma,
+            number("sigma", above_zero, no_limit, "first step, as a fraction of the distance between bounds").keyed());
+        visit(self.population,
+              whole("population", 0, "children of the first run; 0 for 4 + 3 ln n").up_to(1e6).keyed().quiet());
         visit(self.restarts, word("restarts", "restarts after a run has ended: bipop, ipop or none").keyed());
     }
     void validate() const {
         if (restarts != "bipop" && restarts != "ipop" && restarts != "none")
             throw UsageError("stage 'cma-es': restarts is '" + restarts + "'; use bipop, ipop or none");
-        if (population == 1)
-            throw UsageError("stage 'cma-es': population is '1'; give 0, or 2 or more");
+        if (population == 1) throw UsageError("stage 'cma-es': population is '1'; give 0, or 2 or more");
     }
     void check(CheckState& known) const {
         known.need_repetition(text_of(*this));
@@ -152,8 +148,7 @@ struct CmaEs : Operator {
 
     template <HasGenes P>
     PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context, State& state) const {
-        if (population.empty())
-            return population;
+        if (population.empty()) return population;
         const auto order = ranking(population);
         const auto& best = population[order.front()];
         Stream random = context.stream(all_individuals);
@@ -185,20 +180,17 @@ struct CmaEs : Operator {
     };
     /// The children that are still in the population, best first.
     template <Problem P>
-    static std::vector<Child> scored_children(const PopulationOf<P>& population,
-                                              const std::vector<std::size_t>& order, const P& problem,
-                                              const State& state) {
+    static std::vector<Child> scored_children(const PopulationOf<P>& population, const std::vector<std::size_t>& order,
+                                              const P& problem, const State& state) {
         std::vector<Child> scored;
         for (const std::size_t i : order) {
             const auto& individual = population[i];
-            const auto child =
-                std::lower_bound(state.children.begin(), state.children.end(), individual.identity);
+            const auto child = std::lower_bound(state.children.begin(), state.children.end(), individual.identity);
             if (child == state.children.end() || *child != individual.identity ||
                 scored.size() == state.children.size())
                 continue;
             auto genes = genes_of(problem, individual.genome);
-            if (genes.size() <= state.moving.back().gene)
-                continue;
+            if (genes.size() <= state.moving.back().gene) continue;
             const Fitness& fitness = individual.fitness;
             scored.push_back({std::move(genes), individual.origin != nullptr,
                               state.mirrored[static_cast<std::size_t>(child - state.children.begin())],

@@ -27,21 +27,16 @@ struct Difference {
     /// The trial for a target. It differs from the target, unless the vectors are equal.
     template <class Moving>
     std::vector<double> trial(std::vector<double> target, const Moving& moving, Stream& stream) const {
-        if (moving.empty())
-            return target;
+        if (moving.empty()) return target;
         const std::size_t n = moving.size(), sure = stream.below(n);
         std::size_t in_a_row = 1; // exponential: number of genes from `sure` on
-        while (exponential && in_a_row < n && stream.uniform() < cr)
-            ++in_a_row;
+        while (exponential && in_a_row < n && stream.uniform() < cr) ++in_a_row;
         for (std::size_t i = 0; i < n; ++i) {
             const Variable& v = moving[i];
-            const bool taken =
-                exponential ? (i + n - sure) % n < in_a_row : stream.uniform() < cr || i == sure;
-            if (!taken || v.gene >= std::min({target.size(), base.size(), a.size(), b.size(), c.size()}))
-                continue;
+            const bool taken = exponential ? (i + n - sure) % n < in_a_row : stream.uniform() < cr || i == sure;
+            if (!taken || v.gene >= std::min({target.size(), base.size(), a.size(), b.size(), c.size()})) continue;
             double& gene = target[v.gene];
-            const double value =
-                base[v.gene] + f1 * (a[v.gene] - base[v.gene]) + f2 * (b[v.gene] - c[v.gene]);
+            const double value = base[v.gene] + f1 * (a[v.gene] - base[v.gene]) + f2 * (b[v.gene] - c[v.gene]);
             gene = value < v.lower ? (gene + v.lower) / 2 : value > v.upper ? (gene + v.upper) / 2 : value;
         }
         return target;
@@ -54,8 +49,7 @@ std::vector<std::vector<double>> all_genes(const PopulationOf<P>& population, Co
     if (population.size() < 4)
         context.end_with(population, std::to_string(population.size()) + " individuals; give 4 or more");
     std::vector<std::vector<double>> all;
-    for (const auto& individual : population)
-        all.push_back(genes_of(context.problem(), individual.genome));
+    for (const auto& individual : population) all.push_back(genes_of(context.problem(), individual.genome));
     return all;
 }
 
@@ -99,8 +93,7 @@ struct DifferentialEvolution : Operator {
         for (std::size_t i = 0; i < n; ++i) {
             Stream stream = context.stream(i);
             std::size_t others[3]; // different from each other and from i
-            for (std::size_t k = 0; k < 3; ++k)
-                do
+            for (std::size_t k = 0; k < 3; ++k) do
                     others[k] = stream.below(n);
                 while (others[k] == i || std::find(others, others + k, others[k]) != others + k);
             const bool from_current = base == "current-to-best";
@@ -109,9 +102,9 @@ struct DifferentialEvolution : Operator {
                 genes[from], genes[best], genes[others[0]], genes[others[1]], from_current ? F : 0,
                 F,           CR,          crossing == "exp"};
             auto& individual = population[i];
-            individual.genome = with_genes(
-                context.problem(), individual.genome,
-                difference.trial(genes[i], variables_of(context.problem(), individual.genome), stream));
+            individual.genome =
+                with_genes(context.problem(), individual.genome,
+                           difference.trial(genes[i], variables_of(context.problem(), individual.genome), stream));
             context.make_child(individual, Parents(individual.identity));
         }
         return population;
@@ -119,29 +112,25 @@ struct DifferentialEvolution : Operator {
 };
 
 /// The stage `de base F=f CR=cr crossing=crossing`.
-inline DifferentialEvolution differential_evolution(std::string base = "rand", double f = 0.5,
-                                                    double cr = 0.9, std::string crossing = "bin") {
+inline DifferentialEvolution differential_evolution(std::string base = "rand", double f = 0.5, double cr = 0.9,
+                                                    std::string crossing = "bin") {
     return checked(DifferentialEvolution{{}, std::move(base), f, cr, std::move(crossing)});
 }
 
 /// One-to-one replacement (Storn and Price 1997): a child is replaced by its first parent, if the parent is
 /// in the generation's start and better. On a tie the child stays.
 struct Duel : Operator {
-    static Words words() {
-        return {"duel", "replacement", "each child or its first parent, whichever is better"};
-    }
+    static Words words() { return {"duel", "replacement", "each child or its first parent, whichever is better"}; }
     std::size_t reads_of_start() const { return all_individuals; }
     void check(CheckState& known) const { known.need_comparable_start(text_of(*this)); }
 
     template <Problem P>
     PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context) const {
         std::unordered_map<Identity, const Individual<typename P::Genome>*> start;
-        for (const auto& parent : context.generation_start())
-            start.emplace(parent.identity, &parent);
+        for (const auto& parent : context.generation_start()) start.emplace(parent.identity, &parent);
         for (auto& child : population) {
             const auto parent = child.parents.size() > 0 ? start.find(*child.parents.begin()) : start.end();
-            if (parent != start.end() && better(parent->second->fitness, child.fitness))
-                child = *parent->second;
+            if (parent != start.end() && better(parent->second->fitness, child.fitness)) child = *parent->second;
         }
         return population;
     }

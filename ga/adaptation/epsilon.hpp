@@ -23,29 +23,23 @@ struct Epsilon : Operator {
     };
 
     static constexpr const char* needs = "constraints: violation(outcome)";
-    static Words words() {
-        return {"epsilon", "adaptation", "constraints hold up to a level that falls to 0"};
-    }
+    static Words words() { return {"epsilon", "adaptation", "constraints hold up to a level that falls to 0"}; }
     static void describe(auto& self, auto visit) {
         visit(self.generations, whole("generations", std::nullopt, 1, "generations until the levels are 0"));
-        visit(self.share,
-              number("share", 0, 1, "share of the first population within the levels").keyed().quiet());
+        visit(self.share, number("share", 0, 1, "share of the first population within the levels").keyed().quiet());
         visit(self.power, number("power", above_zero, no_limit, "decay of the levels").keyed().quiet());
     }
     void check(CheckState& known) const { known.need_comparable_start(text_of(*this)); }
 
     template <Constrained P>
     PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context, State& state) const {
-        if (state.generation == 0)
-            state.first = first_levels(population);
+        if (state.generation == 0) state.first = first_levels(population);
         const double past = static_cast<double>(state.generation++) / static_cast<double>(generations);
         std::vector<double> levels = state.first;
-        for (double& level : levels)
-            level *= std::pow(std::max(0.0, 1 - past), power);
+        for (double& level : levels) level *= std::pow(std::max(0.0, 1 - past), power);
         for (auto* part : {&population, &context.generation_start()})
             for (auto& individual : *part)
-                if (!individual.fitness.violations().empty())
-                    individual.fitness = individual.fitness.relaxed(levels);
+                if (!individual.fitness.violations().empty()) individual.fitness = individual.fitness.relaxed(levels);
         return population;
     }
 

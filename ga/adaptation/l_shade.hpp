@@ -27,8 +27,7 @@ struct SuccessHistory {
     };
     /// Learns from the successes of one generation.
     void learn(const std::vector<Success>& successes) {
-        if (successes.empty())
-            return;
+        if (successes.empty()) return;
         const auto lehmer = [&](double Success::*part) { // Eq. 7-9, weighted by the gains
             double squares = 0, sum = 0;
             for (const Success& s : successes) {
@@ -82,15 +81,12 @@ struct LShade : Operator {
 
     static constexpr const char* needs = real_genes;
     static Words words() {
-        return {
-            "l-shade", "adaptation",
-            "differential evolution that learns F and CR and shrinks its population; duel follows the score"};
+        return {"l-shade", "adaptation",
+                "differential evolution that learns F and CR and shrinks its population; duel follows the score"};
     }
     static void describe(auto& self, auto visit) {
         visit(self.evaluations,
-              whole("evaluations", 0, "when the population has shrunk to 4; 0 for the run's budget")
-                  .keyed()
-                  .quiet());
+              whole("evaluations", 0, "when the population has shrunk to 4; 0 for the run's budget").keyed().quiet());
         visit(self.memory, whole("memory", 1, "entries of the success history").up_to(1e6).keyed().quiet());
         visit(self.archive, number("archive", 0, 100, "size of the archive, in populations").keyed().quiet());
         visit(self.p, number("p", above_zero, 1, "share of the best in current-to-pbest").keyed().quiet());
@@ -114,8 +110,7 @@ struct LShade : Operator {
         learn(population, state, random);
         shrink(population, context.ledger().budget().evaluations, state);
         const std::size_t n = population.size();
-        while (state.beaten.size() > room(n))
-            drop(state.beaten, random.below(state.beaten.size()));
+        while (state.beaten.size() > room(n)) drop(state.beaten, random.below(state.beaten.size()));
 
         auto genes = all_genes(population, context);
         const auto order = ranking(population, std::max<std::size_t>(2, rounded(p * static_cast<double>(n))));
@@ -124,11 +119,9 @@ struct LShade : Operator {
             Stream stream = context.stream(i);
             const auto [f, cr] = state.history.draw(stream);
             std::size_t first, second;
-            do
-                first = stream.below(n);
+            do first = stream.below(n);
             while (first == i);
-            do
-                second = stream.below(n + state.beaten.size());
+            do second = stream.below(n + state.beaten.size());
             while (second == i || second == first);
             const std::size_t towards = order[stream.below(order.size())];
             const auto& last = second < n ? genes[second] : state.beaten[second - n];
@@ -136,9 +129,9 @@ struct LShade : Operator {
             auto& individual = population[i];
             const Fitness& fitness = individual.fitness;
             Trial trial{0, f, cr, fitness.violation(), merit(fitness), genes[i]};
-            individual.genome = with_genes(
-                context.problem(), individual.genome,
-                difference.trial(genes[i], variables_of(context.problem(), individual.genome), stream));
+            individual.genome =
+                with_genes(context.problem(), individual.genome,
+                           difference.trial(genes[i], variables_of(context.problem(), individual.genome), stream));
             context.make_child(individual, Parents(individual.identity));
             trial.child = individual.identity;
             state.trials.push_back(std::move(trial));
@@ -160,30 +153,24 @@ struct LShade : Operator {
     void learn(const Population<G>& population, State& state, Stream& random) const {
         std::vector<SuccessHistory::Success> successes;
         std::unordered_map<Identity, const Fitness*> of;
-        for (const auto& individual : population)
-            of.emplace(individual.identity, &individual.fitness);
+        for (const auto& individual : population) of.emplace(individual.identity, &individual.fitness);
         for (Trial& trial : state.trials) {
             const auto child = of.find(trial.child);
-            if (child == of.end())
-                continue;
+            if (child == of.end()) continue;
             const Fitness& fitness = *child->second;
             double gain = trial.violation - fitness.violation();
             if (!(gain > 0 || gain < 0)) // both feasible, or equally infeasible
                 gain = merit(fitness) - trial.merit;
-            if (!(gain > 0))
-                continue;
+            if (!(gain > 0)) continue;
             successes.push_back({trial.F, trial.CR, std::min(gain, std::numeric_limits<double>::max())});
             if (const std::size_t max = room(population.size()); max > 0) {
-                if (state.beaten.size() >= max)
-                    drop(state.beaten, random.below(state.beaten.size()));
+                if (state.beaten.size() >= max) drop(state.beaten, random.below(state.beaten.size()));
                 state.beaten.push_back(std::move(trial.parent));
             }
         }
         double largest = 0; // the sum of gains stays finite
-        for (const auto& success : successes)
-            largest = std::max(largest, success.gain);
-        for (auto& success : successes)
-            success.gain /= largest;
+        for (const auto& success : successes) largest = std::max(largest, success.gain);
+        for (auto& success : successes) success.gain /= largest;
         state.history.learn(successes);
     }
 
@@ -191,13 +178,11 @@ struct LShade : Operator {
     template <class G>
     void shrink(Population<G>& population, long budget, const State& state) const {
         const long end = evaluations > 0 ? evaluations : budget;
-        if (end == std::numeric_limits<long>::max())
-            return;
+        if (end == std::numeric_limits<long>::max()) return;
         const auto initial = static_cast<double>(state.initial);
         const double share = static_cast<double>(state.spent) / static_cast<double>(std::max(end, 1L));
         const std::size_t target = std::max<std::size_t>(4, rounded(initial + (4 - initial) * share));
-        if (target >= population.size())
-            return;
+        if (target >= population.size()) return;
         auto order = ranking(population, target);
         std::sort(order.begin(), order.end());
         population = individuals_at(order, population);

@@ -12,7 +12,7 @@ namespace ga {
 /// genes sigma' = sigma exp(N/sqrt(n)). A child of a cross-over has the geometric mean of its parents' sizes.
 /// New individuals start with `sigma`. A gene beyond a bound is reflected at it.
 struct SelfAdaptive : Operator {
-    double sigma = 0.1; ///< first standard deviation, as a fraction of the distance between bounds, > 0
+    double sigma = 0.1;         ///< first standard deviation, as a fraction of the distance between bounds, > 0
     std::string steps = "each"; ///< "each": a step size for each gene; "one": one for all genes
 
     /// The logarithms of the step sizes of all individuals that may still have children.
@@ -22,12 +22,11 @@ struct SelfAdaptive : Operator {
 
     static constexpr const char* needs = real_genes;
     static Words words() {
-        return {"self-adaptive", "adaptation",
-                "adds normal steps with sizes that are inherited and mutate too"};
+        return {"self-adaptive", "adaptation", "adds normal steps with sizes that are inherited and mutate too"};
     }
     static void describe(auto& self, auto visit) {
-        visit(self.sigma, number("sigma", above_zero, no_limit,
-                                 "first step, as a fraction of the distance between bounds"));
+        visit(self.sigma,
+              number("sigma", above_zero, no_limit, "first step, as a fraction of the distance between bounds"));
         visit(self.steps, word("steps", "a size for each gene, or one for all: each or one").keyed());
     }
     void validate() const {
@@ -58,17 +57,15 @@ struct SelfAdaptive : Operator {
                 const auto n = static_cast<double>(variables.size());
                 const bool one = steps == "one";
                 sizes = inherited(individual, one ? 1 : variables.size(), state);
-                const double together = one ? 1 / std::sqrt(n) : 1 / std::sqrt(2 * n),
-                             common = stream.normal();
+                const double together = one ? 1 / std::sqrt(n) : 1 / std::sqrt(2 * n), common = stream.normal();
                 for (double& size : sizes)
                     size += together * common + (one ? 0 : stream.normal() / std::sqrt(2 * std::sqrt(n)));
                 for (std::size_t g = 0; g < variables.size(); ++g)
                     if (const Variable& v = variables[g]; v.gene < genes.size())
-                        genes[v.gene] = reflected(
-                            genes[v.gene] + std::exp(sizes[one ? 0 : g]) * width(v) * stream.normal(), v);
+                        genes[v.gene] =
+                            reflected(genes[v.gene] + std::exp(sizes[one ? 0 : g]) * width(v) * stream.normal(), v);
             });
-            if (individual.fitness.known())
-                context.make_child(individual, Parents(individual.identity));
+            if (individual.fitness.known()) context.make_child(individual, Parents(individual.identity));
             next.sizes[individual.identity] = std::move(sizes);
         }
         state = std::move(next);
@@ -78,24 +75,19 @@ struct SelfAdaptive : Operator {
   private:
     /// The step sizes of the individual, or the mean of its parents'; `sigma` if they are unknown.
     template <class G>
-    std::vector<double> inherited(const Individual<G>& individual, std::size_t count,
-                                  const State& state) const {
+    std::vector<double> inherited(const Individual<G>& individual, std::size_t count, const State& state) const {
         std::vector<double> mean(count, 0);
         double known = 0;
         const auto add = [&](Identity whose) {
             const auto found = state.sizes.find(whose);
-            if (found == state.sizes.end() || found->second.size() != count)
-                return;
+            if (found == state.sizes.end() || found->second.size() != count) return;
             ++known;
-            for (std::size_t i = 0; i < count; ++i)
-                mean[i] += found->second[i];
+            for (std::size_t i = 0; i < count; ++i) mean[i] += found->second[i];
         };
         add(individual.identity);
         if (known == 0)
-            for (const Identity parent : individual.parents)
-                add(parent);
-        for (double& each : mean)
-            each = known > 0 ? each / known : std::log(sigma);
+            for (const Identity parent : individual.parents) add(parent);
+        for (double& each : mean) each = known > 0 ? each / known : std::log(sigma);
         return mean;
     }
 };

@@ -9,9 +9,8 @@ namespace ga {
 /// A value in JSON or CBOR, or a discarded one if its arrays and objects are more than 64 deep. Code that
 /// visits a value recurses once per level. Throws nlohmann's exceptions on other bytes. (The callback of
 /// nlohmann::json::parse takes quadratic time.)
-inline nlohmann::json
-bounded_json(std::string_view bytes,
-             nlohmann::json::input_format_t format = nlohmann::json::input_format_t::json) {
+inline nlohmann::json bounded_json(std::string_view bytes,
+                                   nlohmann::json::input_format_t format = nlohmann::json::input_format_t::json) {
     /// Builds the value like nlohmann's reader, and counts the depth.
     struct Bounded : nlohmann::detail::json_sax_dom_parser<nlohmann::json> {
         using Base = nlohmann::detail::json_sax_dom_parser<nlohmann::json>;
@@ -24,8 +23,7 @@ bounded_json(std::string_view bytes,
     };
     nlohmann::json value;
     Bounded reader(value, true);
-    if (!nlohmann::json::sax_parse(bytes, &reader, format))
-        value = nlohmann::json::value_t::discarded;
+    if (!nlohmann::json::sax_parse(bytes, &reader, format)) value = nlohmann::json::value_t::discarded;
     return value;
 }
 

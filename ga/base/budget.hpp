@@ -22,11 +22,11 @@ struct Budget {
 /// The expenses of a run so far. Only `evaluations`, `remembered` and `price` depend on the size of the
 /// memory.
 struct Counters {
-    long requested = 0;   ///< requested evaluations and derivatives, including those answered from memory
-    long evaluations = 0; ///< calls of the problem's evaluate
-    long remembered = 0;  ///< requests answered without a call
-    long gradients = 0;   ///< calls of the problem's sensitivity
-    long failures = 0;    ///< requested evaluations that failed; also those with a fitness that is not finite
+    long requested = 0;         ///< requested evaluations and derivatives, including those answered from memory
+    long evaluations = 0;       ///< calls of the problem's evaluate
+    long remembered = 0;        ///< requests answered without a call
+    long gradients = 0;         ///< calls of the problem's sensitivity
+    long failures = 0;          ///< requested evaluations that failed; also those with a fitness that is not finite
     double requested_price = 0; ///< price of `requested`, in evaluations of level 0
     double price = 0;           ///< price of `evaluations` and `gradients`, in evaluations of level 0
 };

@@ -19,8 +19,7 @@ struct TextError : UsageError {
 
 /// Throws UsageError if the content of a checkpoint does not fit its pipeline.
 inline void expect_fit(bool fits) {
-    if (!fits)
-        throw UsageError("the checkpoint does not fit its pipeline; use one that this pipeline has written");
+    if (!fits) throw UsageError("the checkpoint does not fit its pipeline; use one that this pipeline has written");
 }
 
 /// Ends a run through its stages, because a limit is reached or it cannot continue; `run` catches it.

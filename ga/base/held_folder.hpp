@@ -16,9 +16,7 @@ inline void hold_folder(const std::filesystem::path& folder, int descriptor) {
     held_folders[(folder / "").string()] = descriptor;
 }
 /// Ends the effect of hold_folder().
-inline void release_folder(const std::filesystem::path& folder) {
-    held_folders.erase((folder / "").string());
-}
+inline void release_folder(const std::filesystem::path& folder) { held_folders.erase((folder / "").string()); }
 
 /// The path of a file. If its folder is held, the path uses the descriptor and is also valid in a child
 /// process. Otherwise it is the file's name.

@@ -20,13 +20,11 @@ inline void expect_threads(int threads) {
     static std::mutex guard;
     static int given = 1;
     const std::lock_guard lock(guard);
-    if (threads <= given)
-        return;
+    if (threads <= given) return;
     std::latch all(threads);
     std::vector<std::jthread> started;
     try {
-        while (std::ssize(started) < threads)
-            started.emplace_back([&] { all.arrive_and_wait(); });
+        while (std::ssize(started) < threads) started.emplace_back([&] { all.arrive_and_wait(); });
     } catch (const std::system_error&) {
         all.count_down(threads - std::ssize(started));
         throw;
@@ -53,16 +51,13 @@ void parallel_for(std::size_t n, int threads, Job job, std::size_t chunk = 1) {
         }
     };
     if (threads <= 1 || n <= 1) {
-        for (std::size_t i = 0; i < n; ++i)
-            guarded(i);
+        for (std::size_t i = 0; i < n; ++i) guarded(i);
     } else {
         expect_threads(threads);
 #pragma omp parallel for schedule(dynamic, chunk) num_threads(threads)
-        for (std::size_t i = 0; i < n; ++i)
-            guarded(i);
+        for (std::size_t i = 0; i < n; ++i) guarded(i);
     }
-    if (error)
-        std::rethrow_exception(error);
+    if (error) std::rethrow_exception(error);
 }
 
 /// The requested number of threads, or OpenMP's default for 0. Throws UsageError if the number exceeds 1024.

@@ -31,8 +31,7 @@ constexpr std::uint64_t fold(std::uint64_t key, std::uint64_t word) {
 /// Combines a key with a text (FNV-1a over its bytes).
 constexpr std::uint64_t fold(std::uint64_t key, std::string_view text) {
     std::uint64_t hash = 0xcbf29ce484222325u;
-    for (const char c : text)
-        hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
+    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
     return fold(key, hash);
 }
 
@@ -54,8 +53,7 @@ class Stream {
     /// A random number, uniform in [0, 1).
     double uniform() {
         double number;
-        do
-            number = as_double((*this)()) * 0x1p-64;
+        do number = as_double((*this)()) * 0x1p-64;
         while (number == 1); // rounded up
         return number;
     }
@@ -64,9 +62,7 @@ class Stream {
     /// A random number, normal with mean 0 and standard deviation 1.
     double normal() { return boost::random::normal_distribution<double>()(*this); }
     /// True with the given probability.
-    bool chance(double probability) {
-        return probability != 0 && as_double((*this)()) <= probability * 0x1p64;
-    }
+    bool chance(double probability) { return probability != 0 && as_double((*this)()) <= probability * 0x1p64; }
     /// A random whole number, uniform over 0 .. n-1; n >= 1.
     std::size_t below(std::size_t n);
 
@@ -90,16 +86,14 @@ class Below {
     /// The next number; for n = 1 nothing is drawn.
     std::size_t operator()(Stream& stream) const {
         __extension__ using Wide = unsigned __int128;
-        if (n_ == 1)
-            return 0;
+        if (n_ == 1) return 0;
         for (;;) {
             const std::uint64_t word = stream();
             // word / words_each_; for small n by a product that is at most one too small
-            auto number = static_cast<std::size_t>(n_ >> 32 ? word / words_each_
-                                                            : (static_cast<Wide>(word) * n_) >> 64);
+            auto number =
+                static_cast<std::size_t>(n_ >> 32 ? word / words_each_ : (static_cast<Wide>(word) * n_) >> 64);
             number += word - number * words_each_ >= words_each_ ? 1 : 0;
-            if (number < n_)
-                return number;
+            if (number < n_) return number;
         }
     }
 
@@ -118,15 +112,13 @@ class Chance {
     Chance(double probability)
         : probability_(probability), sure_(probability >= 1), never_(!(probability > 1e-15)),
           log_of_rest_(std::log(1 - probability)) {
-        if (sure_ || never_)
-            return;
+        if (sure_ || never_) return;
         double passed = 1;
         for (std::uint64_t& limit : limits_)
             limit = static_cast<std::uint64_t>((passed *= 1 - probability) * 0x1p63) << 1;
         std::size_t longest = limits_.size();
         for (std::size_t i = 0; i < longest_.size(); ++i) {
-            while (longest > 0 && limits_[longest - 1] <= i << first_bits)
-                --longest;
+            while (longest > 0 && limits_[longest - 1] <= i << first_bits) --longest;
             longest_[i] = static_cast<std::uint8_t>(longest);
         }
     }
@@ -136,8 +128,7 @@ class Chance {
     /// Calls pick(i) for the picked positions of 0 .. n-1.
     template <class Pick>
     void each(std::size_t n, Stream& stream, Pick pick) const {
-        for (std::size_t i = gap(n, stream); i < n; i += 1 + gap(n - i - 1, stream))
-            pick(i);
+        for (std::size_t i = gap(n, stream); i < n; i += 1 + gap(n - i - 1, stream)) pick(i);
     }
 
   private:
@@ -146,19 +137,16 @@ class Chance {
     /// The length of the next gap, at most `left`; it is at least g with probability (1 - p)^g. Short gaps
     /// come from a table, long ones are computed.
     std::size_t gap(std::size_t left, Stream& stream) const {
-        if (sure_ || never_)
-            return sure_ ? 0 : left;
+        if (sure_ || never_) return sure_ ? 0 : left;
         const std::uint64_t word = ~stream();
-        if (left == 0 || (left <= limits_.size() && word < limits_[left - 1]))
-            return left;
+        if (left == 0 || (left <= limits_.size() && word < limits_[left - 1])) return left;
         if (word < limits_.back()) {
             const double gap = std::log((static_cast<double>(word >> 1) + 1) * 0x1p-63) / log_of_rest_;
             return static_cast<std::size_t>(std::min(gap, static_cast<double>(left)));
         }
         std::size_t gap = longest_[word >> first_bits];
         gap -= gap > 0 && limits_[gap - 1] <= word ? 1 : 0; // nearly always sufficient, without a branch
-        while (gap > 0 && limits_[gap - 1] <= word)
-            --gap;
+        while (gap > 0 && limits_[gap - 1] <= word) --gap;
         return gap;
     }
 

@@ -18,15 +18,13 @@ PopulationOf<P> run_derived(const Pipeline<P>& body, const P& problem, Populatio
     Frame<typename P::Genome> outermost;
     inside.state.loops.push_back(&outermost);
     const auto unscored = [](PopulationOf<P> all) {
-        for (auto& individual : all)
-            individual.fitness = {};
+        for (auto& individual : all) individual.fitness = {};
         return all;
     };
     const auto book = [&] {
         books.counters = ledger.counters;
         context.state.next_identity = inside.state.next_identity;
-        for (const std::string& note : inside.state.notes)
-            context.state.note(note);
+        for (const std::string& note : inside.state.notes) context.state.note(note);
     };
     try {
         population = body(unscored(std::move(population)), inside);

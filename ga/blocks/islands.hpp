@@ -24,9 +24,8 @@ struct Islands : Operator {
     Body body;           ///< pipeline that runs on each island
 
     static Words words() {
-        return {
-            "islands", "blocks",
-            "n parts of the population evolve separately, one generation per round, with migrants on a ring"};
+        return {"islands", "blocks",
+                "n parts of the population evolve separately, one generation per round, with migrants on a ring"};
     }
     static void describe(auto& self, auto visit) {
         visit(self.n, whole("n", std::nullopt, 2, "islands").up_to(10000));
@@ -47,8 +46,7 @@ struct Islands : Operator {
                     known.at_most = at_most == all_individuals ? at_most : (at_most + n - 1) / n;
                     const bool on_islands = std::exchange(known.on_islands, true);
                     check_generation(*stages, name, known, [&](const CheckState& inside) {
-                        if (migration.migrants > 0)
-                            inside.need_score(name);
+                        if (migration.migrants > 0) inside.need_score(name);
                     });
                     known.on_islands = on_islands;
                 },
@@ -59,30 +57,26 @@ struct Islands : Operator {
 
   private:
     template <Problem P, class G = typename P::Genome>
-    [[gnu::cold]] static Population<G> evolve(Population<G> population, const Pipeline<P>& body,
-                                              std::size_t n, const Migration& migration,
-                                              Context<P>& context) {
+    [[gnu::cold]] static Population<G> evolve(Population<G> population, const Pipeline<P>& body, std::size_t n,
+                                              const Migration& migration, Context<P>& context) {
         typename Context<P>::OpenFrame frame(context.state, {});
         if (!frame.resumed()) {
             if (population.size() < n)
                 context.end_with(population, std::to_string(population.size()) + " individuals for " +
                                                  std::to_string(n) + " islands; give at least one for each");
             frame->kept.resize(n);
-            for (std::size_t i = 0; i < population.size(); ++i)
-                frame->kept[i % n].push_back(std::move(population[i]));
+            for (std::size_t i = 0; i < population.size(); ++i) frame->kept[i % n].push_back(std::move(population[i]));
         }
         expect_fit(frame->kept.size() == n && frame->next <= migration.rounds);
         try {
             while (frame->next < migration.rounds) {
                 run_round(*frame, body, context);
-                if (frame->next + 1 < migration.rounds)
-                    migrate(frame->kept, migration.migrants);
+                if (frame->next + 1 < migration.rounds) migrate(frame->kept, migration.migrants);
                 ++frame->next;
                 context.pause();
             }
         } catch (const Stopped&) {
-            if (!context.state.stopped_population)
-                context.state.stopped_population = joined(frame->kept);
+            if (!context.state.stopped_population) context.state.stopped_population = joined(frame->kept);
             throw;
         }
         return without_levels(joined(frame->kept));
@@ -94,14 +88,12 @@ struct Islands : Operator {
         const std::size_t n = frame.kept.size(), depth = context.state.frames.size() - 1;
         Snapshot<G> before;
         context.forget_old();
-        if (context.is_kept())
-            before = context.snapshot();
+        if (context.is_kept()) before = context.snapshot();
         std::vector<std::optional<Context<P>>> islands(n);
         std::vector<Frame<G>> loops(n);
         for (std::size_t i = 0; i < n; ++i)
             for (const auto& [path, state] : frame.states)
-                if (path.starts_with(context.path() + "/" + name_of(i) + "/"))
-                    loops[i].states[path] = state;
+                if (path.starts_with(context.path() + "/" + name_of(i) + "/")) loops[i].states[path] = state;
         try {
             Rounds<P>::run(
                 n, context.queue(), context.ledger().evaluator().threads(),
@@ -115,8 +107,7 @@ struct Islands : Operator {
                     try {
                         population = body(std::move(population), island);
                     } catch (const Stopped&) {
-                        population =
-                            joined_with(start, island.state.stopped_population.value_or(Population<G>()));
+                        population = joined_with(start, island.state.stopped_population.value_or(Population<G>()));
                         throw;
                     }
                 },
@@ -130,15 +121,13 @@ struct Islands : Operator {
             throw;
         }
         for (auto& loop : loops)
-            for (auto& [path, state] : loop.states)
-                frame.states[path] = std::move(state);
+            for (auto& [path, state] : loop.states) frame.states[path] = std::move(state);
         const Identity first = context.state.next_identity, step = context.state.identity_step;
         Identity max = 0; // identities that one island has used
         for (std::size_t i = 0; i < n; ++i)
             max = std::max(max, (islands[i]->state.next_identity - first - i * step) / (n * step));
         context.state.next_identity += max * n * step;
-        for (auto& each : islands)
-            context.show_again(*each); // an observer may throw Stopped
+        for (auto& each : islands) context.show_again(*each); // an observer may throw Stopped
     }
 
     static std::string name_of(std::size_t island) { return "island" + std::to_string(island + 1); }
@@ -146,18 +135,15 @@ struct Islands : Operator {
     template <class G>
     static Population<G> joined(const std::vector<Population<G>>& islands) {
         Population<G> all;
-        for (const auto& island : islands)
-            all.insert(all.end(), island.begin(), island.end());
+        for (const auto& island : islands) all.insert(all.end(), island.begin(), island.end());
         return all;
     }
 
     template <class G>
     static void migrate(std::vector<Population<G>>& islands, std::size_t migrants) {
-        if (migrants == 0)
-            return;
+        if (migrants == 0) return;
         std::vector<Population<G>> leaving;
-        for (const auto& island : islands)
-            leaving.push_back(best_of(island, migrants));
+        for (const auto& island : islands) leaving.push_back(best_of(island, migrants));
         for (std::size_t i = 0; i < islands.size(); ++i)
             replace_worst(islands[(i + 1) % islands.size()], std::move(leaving[i]));
     }

@@ -32,8 +32,7 @@ struct Pair : Operator {
                 },
                 [=, combine = combine](Population<G> population, Context<P>& context) {
                     typename Context<P>::OpenFrame frame(context.state, {});
-                    if (!frame.resumed())
-                        frame->kept = {std::move(population), {}};
+                    if (!frame.resumed()) frame->kept = {std::move(population), {}};
                     expect_fit(frame->kept.size() == 2);
                     if (frame->next == 0) {
                         const typename Context<P>::Scope scope(context.position, left_name, 0);
@@ -53,28 +52,24 @@ struct Pair : Operator {
 
   private:
     template <Problem P>
-    static Population<G> children(const Population<G>& lefts, const Population<G>& rights,
-                                  const Combine<G>& combine, Context<P>& context) {
+    static Population<G> children(const Population<G>& lefts, const Population<G>& rights, const Combine<G>& combine,
+                                  Context<P>& context) {
         Population<G> children;
         std::vector<Work> work(1);
         Table<bool> seen;
         for (const auto& a : lefts)
             for (const auto& b : rights) {
                 std::optional<G> genome = combine.of(a, b, work[0]);
-                if (!genome)
-                    continue;
-                if (children.size() % 1024 == 0)
-                    context.need_room(children.size() + 1024, lefts, &*genome);
-                if (std::exchange(seen.at(identify(context.problem(), *genome)), true))
-                    continue;
+                if (!genome) continue;
+                if (children.size() % 1024 == 0) context.need_room(children.size() + 1024, lefts, &*genome);
+                if (std::exchange(seen.at(identify(context.problem(), *genome)), true)) continue;
                 children.push_back(
                     {std::move(*genome), context.new_identity(), Parents(a.identity, b.identity), {}, {}});
             }
         if (children.empty())
-            context.end_with(joined_with(lefts, rights), std::to_string(lefts.size()) + " and " +
-                                                             std::to_string(rights.size()) +
-                                                             " individuals gave no child by " + combine.name +
-                                                             "; pair other individuals");
+            context.end_with(joined_with(lefts, rights),
+                             std::to_string(lefts.size()) + " and " + std::to_string(rights.size()) +
+                                 " individuals gave no child by " + combine.name + "; pair other individuals");
         context.charge(work);
         return children;
     }

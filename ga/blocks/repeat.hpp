@@ -8,8 +8,8 @@ constexpr double max_idle_generations = 10000; ///< generations without progress
 
 /// Runs the body of a block of generations until the first rule holds.
 template <Problem P, class G = typename P::Genome>
-Population<G> run_generations(const Pipeline<P>& body, const std::vector<Rule<G>>& rules,
-                              Population<G> population, Context<P>& context) {
+Population<G> run_generations(const Pipeline<P>& body, const std::vector<Rule<G>>& rules, Population<G> population,
+                              Context<P>& context) {
     typename Context<P>::OpenFrame frame(context.state, std::move(population), true);
     const double& price = context.counters().requested_price;
     auto& numbers = frame->numbers; // the block's, those of `improves`, then each rule's
@@ -20,17 +20,13 @@ Population<G> run_generations(const Pipeline<P>& body, const std::vector<Rule<G>
     expect_fit(numbers.size() == 2 + rules.size() && numbers[0].size() == 5 &&
                (!frame.resumed() || frame->kept.size() == 1));
     const double first_price = numbers[0][0], first_seconds = numbers[0][1];
-    double &price_at_check = numbers[0][2], &last_progress = numbers[0][3],
-           &price_of_generations = numbers[0][4];
-    const auto paying = [](const Rule<G>& rule) {
-        return rule.text.starts_with(AfterEvaluations::words().name);
-    };
+    double &price_at_check = numbers[0][2], &last_progress = numbers[0][3], &price_of_generations = numbers[0][4];
+    const auto paying = [](const Rule<G>& rule) { return rule.text.starts_with(AfterEvaluations::words().name); };
     // Progress is an improvement, or with the rule `evaluations` a requested evaluation.
     const auto idle = [&](const BlockProgress<G>& now) {
         const bool paid = price > std::exchange(price_at_check, price);
         const auto generation = static_cast<double>(now.generation);
-        if (improves(now, numbers[1]) || (paid && std::ranges::any_of(rules, paying)))
-            last_progress = generation;
+        if (improves(now, numbers[1]) || (paid && std::ranges::any_of(rules, paying))) last_progress = generation;
         return generation - last_progress >= max_idle_generations;
     };
     const auto ended = [&] {
@@ -43,19 +39,16 @@ Population<G> run_generations(const Pipeline<P>& body, const std::vector<Rule<G>
                 if (rules[i].text.starts_with(AfterSeconds::words().name))
                     context.note("ended after its seconds; another run may end in another generation");
             }
-        if (end)
-            return true;
+        if (end) return true;
         // idle generations of all blocks are counted, so that blocks inside each other do not multiply them
         end = (frame->next > 0 && context.state.idle_generations >= max_idle_generations) ||
               (std::ranges::none_of(rules, &Rule<G>::sure) && idle(now));
-        if (end)
-            context.note("ended after 10000 generations without progress towards its end");
+        if (end) context.note("ended after 10000 generations without progress towards its end");
         return end;
     };
     try {
         for (bool inside = frame.resumed(); inside || !ended(); inside = false, ++frame->next) {
-            if (!inside)
-                frame->kept = {start_of_generation(frame->population, body.reads_of_start())};
+            if (!inside) frame->kept = {start_of_generation(frame->population, body.reads_of_start())};
             const typename Context<P>::Round round(context.position, frame->next, &frame->kept[0]);
             frame->population = body(std::move(frame->population), context);
             double& idle_generations = context.state.idle_generations;
@@ -63,8 +56,7 @@ Population<G> run_generations(const Pipeline<P>& body, const std::vector<Rule<G>
         }
     } catch (const Stopped&) {
         auto& stopped = context.state.stopped_population;
-        if (stopped && !frame->kept.empty())
-            stopped = joined_with(frame->kept[0], std::move(*stopped));
+        if (stopped && !frame->kept.empty()) stopped = joined_with(frame->kept[0], std::move(*stopped));
         throw;
     }
     return without_levels(std::move(frame->population));
@@ -72,15 +64,12 @@ Population<G> run_generations(const Pipeline<P>& body, const std::vector<Rule<G>
 
 /// A block of generations as one stage; `name` is its text in front of the braces.
 template <Problem P, class G = typename P::Genome>
-[[gnu::cold]] Stage<P> generations_stage(const std::string& name, Pipeline<P> body,
-                                         const std::vector<Rule<G>>& rules) {
-    const auto stages =
-        std::make_shared<const Pipeline<P>>(std::move(body)); // so that copies of blocks are cheap
+[[gnu::cold]] Stage<P> generations_stage(const std::string& name, Pipeline<P> body, const std::vector<Rule<G>>& rules) {
+    const auto stages = std::make_shared<const Pipeline<P>>(std::move(body)); // so that copies of blocks are cheap
     return {name + " { " + stages->text() + " }",
             [=](CheckState& known) {
                 check_generation(*stages, name, known, [&](const CheckState& inside) {
-                    for (const Rule<G>& rule : rules)
-                        rule.check(inside, name);
+                    for (const Rule<G>& rule : rules) rule.check(inside, name);
                 });
             },
             [=](Population<G> population, Context<P>& context) {
@@ -102,8 +91,7 @@ struct Repeat : Operator {
 
     template <Problem P>
     Stage<P> stage() const {
-        return generations_stage<P>(text_of(*this), body,
-                                    {rule_of<typename P::Genome>(AfterGenerations{{}, n})});
+        return generations_stage<P>(text_of(*this), body, {rule_of<typename P::Genome>(AfterGenerations{{}, n})});
     }
 };
 /// The block `repeat n { body }`; n >= 1.
@@ -116,8 +104,7 @@ Repeat<Body> repeat(std::size_t n, Body body) {
 template <Problem P, class G = typename P::Genome>
 [[gnu::cold]] Stage<P> until_stage(const Pipeline<P>& body, const std::vector<Rule<G>>& rules) {
     std::string name = "until";
-    for (const Rule<G>& rule : rules)
-        name += " " + rule.text;
+    for (const Rule<G>& rule : rules) name += " " + rule.text;
     if (rules.empty())
         throw UsageError("until has no end; give one of generations, evaluations, seconds, fitness, "
                          "stagnation, converged");
@@ -158,16 +145,14 @@ struct Restarts : Operator {
     Body body;         ///< pipeline that runs each time
 
     static Words words() {
-        return {"restarts", "blocks",
-                "runs the pipeline n times on the same population and joins the answers"};
+        return {"restarts", "blocks", "runs the pipeline n times on the same population and joins the answers"};
     }
     static void describe(auto& self, auto visit) { visit(self.n, whole("n", std::nullopt, 1, "how many")); }
 
     template <Problem P>
     Stage<P> stage() const {
         const auto stages = std::make_shared<const Pipeline<P>>(body);
-        return {text_of(*this) + " { " + stages->text() + " }",
-                [stages](CheckState& known) { stages->check(known); },
+        return {text_of(*this) + " { " + stages->text() + " }", [stages](CheckState& known) { stages->check(known); },
                 [stages, n = n](PopulationOf<P> population, Context<P>& context) {
                     return run_all(std::move(population), *stages, n, context);
                 },
@@ -176,18 +161,16 @@ struct Restarts : Operator {
 
   private:
     template <Problem P, class G = typename P::Genome>
-    [[gnu::cold]] static Population<G> run_all(Population<G> population, const Pipeline<P>& stages,
-                                               std::size_t n, Context<P>& context) {
+    [[gnu::cold]] static Population<G> run_all(Population<G> population, const Pipeline<P>& stages, std::size_t n,
+                                               Context<P>& context) {
         typename Context<P>::OpenFrame frame(context.state, {}, true);
-        if (!frame.resumed())
-            frame->kept = {std::move(population), {}}; // the start, and the results so far
+        if (!frame.resumed()) frame->kept = {std::move(population), {}}; // the start, and the results so far
         expect_fit(frame->kept.size() == 2);
         Population<G>& answers = frame->kept[1];
         try {
             for (; frame->next < n; ++frame->next) {
                 const typename Context<P>::Round round(context.position, frame->next);
-                for (auto& each : stages(frame->kept[0], context))
-                    answers.push_back(std::move(each));
+                for (auto& each : stages(frame->kept[0], context)) answers.push_back(std::move(each));
                 frame->states.clear();
                 context.need_room(answers.size(), {}, answers.empty() ? nullptr : &answers.front().genome);
             }

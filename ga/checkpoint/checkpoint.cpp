@@ -13,8 +13,7 @@ std::string seal_of(std::string_view bytes) {
     const Fingerprint print = fingerprint(bytes);
     std::string seal = "rugosa checkpoint 2\n";
     for (const std::uint64_t word : {static_cast<std::uint64_t>(bytes.size()), print.high, print.low})
-        for (int shift = 0; shift < 64; shift += 8)
-            seal += static_cast<char>(word >> shift & 0xff);
+        for (int shift = 0; shift < 64; shift += 8) seal += static_cast<char>(word >> shift & 0xff);
     return seal;
 }
 
@@ -34,16 +33,14 @@ std::string seal(const std::filesystem::path& name, std::string_view bytes) {
                                 before = file.string() + ".before";
     ::unlink(draft.c_str());
     std::FILE* const stream = std::fopen(draft.c_str(), "wbxe"); // x: a new file, e: not for child processes
-    if (!stream)
-        return std::strerror(errno);
+    if (!stream) return std::strerror(errno);
     std::string error;
     const std::string head = seal_of(bytes);
     if (std::fwrite(head.data(), 1, head.size(), stream) < head.size() ||
         std::fwrite(bytes.data(), 1, bytes.size(), stream) < bytes.size() || std::fflush(stream) != 0 ||
         ::fsync(::fileno(stream)) != 0)
         error = std::strerror(errno);
-    if (std::fclose(stream) != 0 && error.empty())
-        error = std::strerror(errno);
+    if (std::fclose(stream) != 0 && error.empty()) error = std::strerror(errno);
     if (!error.empty()) {
         ::unlink(draft.c_str());
         return error;
@@ -57,8 +54,7 @@ std::string seal(const std::filesystem::path& name, std::string_view bytes) {
         return error;
     }
     const std::filesystem::path folder = file.parent_path();
-    if (const int at = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-        at >= 0) {
+    if (const int at = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); at >= 0) {
         ::fsync(at); // so that the name outlasts a loss of power
         ::close(at);
     }
@@ -81,26 +77,21 @@ void to_json(json& j, const Counters& c) {
 }
 
 void from_json(const json& j, Counters& c) {
-    read_parts(j, c.requested, c.evaluations, c.remembered, c.gradients, c.failures, c.requested_price,
-               c.price);
+    read_parts(j, c.requested, c.evaluations, c.remembered, c.gradients, c.failures, c.requested_price, c.price);
 }
 
 json scored(const Fitness& fitness) {
-    if (fitness.has_failed())
-        return {fitness.objective(), fitness.reason()};
-    if (fitness.several())
-        return {fitness.objective(), fitness.values(), fitness.violation(), fitness.violations()};
+    if (fitness.has_failed()) return {fitness.objective(), fitness.reason()};
+    if (fitness.several()) return {fitness.objective(), fitness.values(), fitness.violation(), fitness.violations()};
     if (fitness.known())
         return {fitness.objective(),  fitness.value(),     fitness.violation(),
                 fitness.violations(), fitness.minimises(), fitness.replicates()};
     return nullptr;
 }
 Fitness read_scored(const json& scored) {
-    if (scored.is_null())
-        return {};
+    if (scored.is_null()) return {};
     const Name policy(scored.at(0).get<std::string>());
-    if (scored.size() == 2)
-        return Fitness::failed(policy, reason(scored.at(1).get<std::string>()));
+    if (scored.size() == 2) return Fitness::failed(policy, reason(scored.at(1).get<std::string>()));
     Fitness fitness;
     std::size_t replicates = 1;
     if (scored.size() == 4) {

@@ -72,8 +72,7 @@ void from_json(const json& j, Individual<G>& individual) {
 template <class G>
 void to_json(json& j, const Frame<G>& frame) {
     json states = json::object();
-    for (const auto& [path, state] : frame.states)
-        state.write(states[path]);
+    for (const auto& [path, state] : frame.states) state.write(states[path]);
     j = {frame.next, frame.population, frame.kept, frame.numbers, std::move(states)};
 }
 template <class G>
@@ -85,18 +84,15 @@ void from_json(const json& j, Frame<G>& frame) {
 
 template <class G>
 void to_json(json& j, const Snapshot<G>& snapshot) {
-    j = {snapshot.frames,        snapshot.counters,
-         snapshot.next_identity, snapshot.best ? json(*snapshot.best) : json(),
-         snapshot.notes,         snapshot.seconds,
-         snapshot.heaviest,      snapshot.idle_generations};
+    j = {snapshot.frames, snapshot.counters, snapshot.next_identity, snapshot.best ? json(*snapshot.best) : json(),
+         snapshot.notes,  snapshot.seconds,  snapshot.heaviest,      snapshot.idle_generations};
 }
 template <class G>
 void from_json(const json& j, Snapshot<G>& snapshot) {
     json best;
-    read_parts(j, snapshot.frames, snapshot.counters, snapshot.next_identity, best, snapshot.notes,
-               snapshot.seconds, snapshot.heaviest, snapshot.idle_generations);
-    if (!best.is_null())
-        snapshot.best = best.get<Individual<G>>();
+    read_parts(j, snapshot.frames, snapshot.counters, snapshot.next_identity, best, snapshot.notes, snapshot.seconds,
+               snapshot.heaviest, snapshot.idle_generations);
+    if (!best.is_null()) snapshot.best = best.get<Individual<G>>();
 }
 ///@}
 
@@ -113,25 +109,21 @@ bool can_be_kept(const P& problem, const T& value) {
     if constexpr (std::same_as<T, G>) {
         return is_valid(problem, value);
     } else if constexpr (std::same_as<T, Fitness>) {
-        if (!value.known() || value.has_failed())
-            return true;
+        if (!value.known() || value.has_failed()) return true;
         const std::string& policy = value.objective(); // "f1" or "pareto f1 f2"
         const auto objectives = static_cast<std::size_t>(std::ranges::count(policy, ' '));
-        const bool scored =
-            objectives > 0
-                ? value.values().size() == objectives && finite(value.values())
-                : !value.several() && std::isfinite(value.value()) &&
-                      std::ranges::any_of(problem.objectives(), [&](const auto& objective) {
-                          return objective.name == policy && objective.minimise == value.minimises();
-                      });
-        return scored && finite(value.violations()) && finite({value.violation()}) &&
-               value.violation() >= 0 && value.replicates() > 0;
+        const bool scored = objectives > 0
+                                ? value.values().size() == objectives && finite(value.values())
+                                : !value.several() && std::isfinite(value.value()) &&
+                                      std::ranges::any_of(problem.objectives(), [&](const auto& objective) {
+                                          return objective.name == policy && objective.minimise == value.minimises();
+                                      });
+        return scored && finite(value.violations()) && finite({value.violation()}) && value.violation() >= 0 &&
+               value.replicates() > 0;
     } else if constexpr (std::same_as<T, Individual<G>>) {
-        if (!each(value.genome, value.fitness) || (value.origin && !each(*value.origin)))
-            return false;
+        if (!each(value.genome, value.fitness) || (value.origin && !each(*value.origin))) return false;
         if constexpr (HasGenes<P>) // refinement reads the bounds of the origin
-            return !value.origin ||
-                   genes_of(problem, *value.origin).size() == genes_of(problem, value.genome).size();
+            return !value.origin || genes_of(problem, *value.origin).size() == genes_of(problem, value.genome).size();
         else
             return true;
     } else if constexpr (std::same_as<T, Frame<G>>) {
@@ -141,8 +133,8 @@ bool can_be_kept(const P& problem, const T& value) {
         return counts(value.requested, value.evaluations, value.remembered, value.gradients, value.failures,
                       value.requested_price, value.price);
     } else if constexpr (std::same_as<T, Snapshot<G>>) {
-        return each(value.frames, value.counters) && (!value.best || each(*value.best)) &&
-               finite({value.seconds}) && value.seconds >= 0 && value.idle_generations >= 0;
+        return each(value.frames, value.counters) && (!value.best || each(*value.best)) && finite({value.seconds}) &&
+               value.seconds >= 0 && value.idle_generations >= 0;
     } else if constexpr (requires { value.is_valid(); }) {
         return value.is_valid();
     } else if constexpr (std::ranges::range<T> && !std::convertible_to<T, std::string_view>) {
@@ -178,8 +170,7 @@ class Checkpoints : public Checkpointer<P> {
     /// @param resume       continue from the file if it exists; otherwise it is replaced
     /// @param interval     seconds between two writes
     Checkpoints(std::filesystem::path file, std::string description, bool resume, double interval = 1)
-        : file_(std::move(file)), description_(std::move(description)), resume_(resume), interval_(interval) {
-    }
+        : file_(std::move(file)), description_(std::move(description)), resume_(resume), interval_(interval) {}
 
     /// Stores a value of an observer with the run. It is written with every checkpoint and read when the run
     /// is resumed, before its first stage. The value must outlive the run.
@@ -199,14 +190,12 @@ class Checkpoints : public Checkpointer<P> {
             std::error_code none;
             std::filesystem::remove(before, none); // left by another run
         }
-        if (!resume_ || !(std::filesystem::exists(file) || std::filesystem::exists(before)))
-            return std::nullopt;
+        if (!resume_ || !(std::filesystem::exists(file) || std::filesystem::exists(before))) return std::nullopt;
         std::string bytes;
         try {
             bytes = opened(std::filesystem::exists(file) ? file_ : before);
         } catch (const UsageError& damaged) {
-            if (!std::filesystem::exists(before))
-                throw;
+            if (!std::filesystem::exists(before)) throw;
             bytes = opened(before);
             std::filesystem::rename(before, file); // the next write renames this file to FILE.before
             trouble_ = std::string(damaged.what()) + "; went on from the one before";
@@ -217,19 +206,16 @@ class Checkpoints : public Checkpointer<P> {
                 throw UsageError("checkpoint '" + file_.string() +
                                  "' is of another run; use the same version, pipeline, seed, start, settings "
                                  "and input files");
-            for (const auto& value : kept_)
-                value.read(j.at("kept").at(value.name), ledger.problem());
+            for (const auto& value : kept_) value.read(j.at("kept").at(value.name), ledger.problem());
             recall(j, ledger);
             Taken snapshot;
             read_part(j.at("snapshot"), snapshot);
-            if (!j.at("answer").is_null())
-                read_part(j.at("answer"), answer_.emplace());
+            if (!j.at("answer").is_null()) read_part(j.at("answer"), answer_.emplace());
             expect_valid(can_be_kept(ledger.problem(), snapshot) &&
                          (!answer_ || can_be_kept(ledger.problem(), *answer_)));
             return snapshot;
         } catch (const json::exception&) {
-            throw UsageError("checkpoint '" + file_.string() + "' has other parts than a run writes" +
-                             advice);
+            throw UsageError("checkpoint '" + file_.string() + "' has other parts than a run writes" + advice);
         } catch (const Invalid&) {
             throw UsageError("checkpoint '" + file_.string() + "' has values that no run writes" + advice);
         }
@@ -240,8 +226,7 @@ class Checkpoints : public Checkpointer<P> {
         return trouble_ + (trouble_.empty() || unwritten_.empty() ? "" : "; ") + unwritten_;
     }
 
-    void write(const Taken& snapshot, const Ledger<P>& ledger,
-               const Population<Genome>* answer = nullptr) override {
+    void write(const Taken& snapshot, const Ledger<P>& ledger, const Population<Genome>* answer = nullptr) override {
         const Stopwatch clock;
         json j = {{"version", version},
                   {"run", run_},
@@ -249,8 +234,7 @@ class Checkpoints : public Checkpointer<P> {
                   {"snapshot", snapshot},
                   {"answer", answer ? json(*answer) : json()},
                   {"kept", json::object()}};
-        for (const auto& value : kept_)
-            j["kept"][value.name] = value.write();
+        for (const auto& value : kept_) j["kept"][value.name] = value.write();
         remember(j, snapshot, ledger);
         const std::vector<std::uint8_t> bytes = json::to_cbor(j);
         const std::string error = seal(file_, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
@@ -271,8 +255,7 @@ class Checkpoints : public Checkpointer<P> {
 
     struct Invalid {};
     static void expect_valid(bool valid) {
-        if (!valid)
-            throw Invalid{};
+        if (!valid) throw Invalid{};
     }
     static constexpr const char* advice = "; use one that this version has written, or start again";
 
@@ -301,11 +284,9 @@ class Checkpoints : public Checkpointer<P> {
     static void recall(const json& j, Ledger<P>& ledger) {
         if constexpr (Storable<Outcome>) {
             const auto evaluation = [&](const json& entry) -> Evaluation<Outcome> {
-                if (entry.size() > 3)
-                    return reason(entry.at(3).get<std::string>());
+                if (entry.size() > 3) return reason(entry.at(3).get<std::string>());
                 auto outcome = entry.at(2).get<Outcome>();
-                if constexpr (ValidatesOutcomes<P>)
-                    expect_valid(ledger.problem().valid_outcome(outcome));
+                if constexpr (ValidatesOutcomes<P>) expect_valid(ledger.problem().valid_outcome(outcome));
                 return outcome;
             };
             const json& stored = j.at("memory"); // old, young, prepaid

@@ -13,8 +13,7 @@ descriptors_of(const P& problem, const std::vector<std::string>& names, const st
     for (const std::string& name : names) {
         std::string list;
         for (const auto& each : problem.descriptors()) {
-            if (each.name == name)
-                found.push_back(&each);
+            if (each.name == name) found.push_back(&each);
             list += (list.empty() ? "" : ", ") + each.name;
         }
         if (found.empty() || found.back()->name != name)
@@ -32,8 +31,7 @@ struct MapElites : Operator {
 
     static constexpr const char* needs = "features of its genomes: descriptors";
     static Words words() {
-        return {"map-elites", "niches",
-                "the best in every cell of the descriptors' ranges, the start included"};
+        return {"map-elites", "niches", "the best in every cell of the descriptors' ranges, the start included"};
     }
     static void describe(auto& self, auto visit) {
         visit(self.descriptors, word_list("descriptors", "names of the problem's descriptors"));
@@ -52,28 +50,23 @@ struct MapElites : Operator {
         std::vector<std::vector<std::size_t>> cell(all.size());
         parallel_for(all.size(), context.threads(), [&](std::size_t i) {
             for (const auto* descriptor : by) {
-                const double share = (descriptor->of(all[i].genome) - descriptor->lower) /
-                                     (descriptor->upper - descriptor->lower);
-                if (std::isnan(share))
-                    return;
+                const double share =
+                    (descriptor->of(all[i].genome) - descriptor->lower) / (descriptor->upper - descriptor->lower);
+                if (std::isnan(share)) return;
                 cell[i].push_back(static_cast<std::size_t>(
                     std::clamp(share * static_cast<double>(cells), 0.0, static_cast<double>(cells) - 1)));
             }
         });
         std::map<std::vector<std::size_t>, std::size_t> elites;
         for (std::size_t i = 0; i < all.size(); ++i) {
-            if (cell[i].size() != by.size() || all[i].fitness.has_failed())
-                continue;
+            if (cell[i].size() != by.size() || all[i].fitness.has_failed()) continue;
             const auto [held, fresh] = elites.try_emplace(cell[i], i);
-            if (!fresh && better(all[i].fitness, all[held->second].fitness))
-                held->second = i;
+            if (!fresh && better(all[i].fitness, all[held->second].fitness)) held->second = i;
         }
         PopulationOf<P> archive;
-        for (const auto& [place, i] : elites)
-            archive.push_back(std::move(all[i]));
+        for (const auto& [place, i] : elites) archive.push_back(std::move(all[i]));
         if (archive.empty())
-            context.end_with(all,
-                             "no individual has descriptors that are numbers; return finite descriptors");
+            context.end_with(all, "no individual has descriptors that are numbers; return finite descriptors");
         return archive;
     }
 };
@@ -117,8 +110,7 @@ struct Emit : Operator {
         using G = typename P::Genome;
         const P& problem = context.problem();
         const auto by = descriptors_of(problem, descriptors, text_of(*this));
-        if (population.empty())
-            return population;
+        if (population.empty()) return population;
         context.need_room(n, population);
         std::vector<std::size_t> chosen(n);
         for (std::size_t i = 0; i < n; ++i) {
@@ -144,21 +136,17 @@ struct Emit : Operator {
             const auto add = [&](std::vector<double> gradient, double length) {
                 double squares = 0;
                 for (const Variable& v : moving)
-                    if (v.gene < gradient.size())
-                        squares += std::pow(gradient[v.gene] * width(v), 2);
-                if (!(squares > 0) || !std::isfinite(squares))
-                    return;
+                    if (v.gene < gradient.size()) squares += std::pow(gradient[v.gene] * width(v), 2);
+                if (!(squares > 0) || !std::isfinite(squares)) return;
                 for (const Variable& v : moving) // unit gradient, converted to the gene's unit
                     if (v.gene < gradient.size())
                         step[v.gene] += length * gradient[v.gene] * width(v) * width(v) / std::sqrt(squares);
             };
             add(slopes[i], sigma * std::abs(stream.normal()));
             for (const auto* descriptor : by)
-                add(gradient_of(problem, *descriptor, fresh[i].genome, genes, moving),
-                    sigma * stream.normal());
+                add(gradient_of(problem, *descriptor, fresh[i].genome, genes, moving), sigma * stream.normal());
             for (const Variable& v : moving)
-                if (v.gene < genes.size())
-                    genes[v.gene] = reflected(genes[v.gene] + step[v.gene], v);
+                if (v.gene < genes.size()) genes[v.gene] = reflected(genes[v.gene] + step[v.gene], v);
             moved[i] = std::move(genes);
         });
         for (std::size_t i = 0; i < n; ++i) {
@@ -173,8 +161,7 @@ struct Emit : Operator {
     /// The direction in which each chosen individual improves; empty if it is unknown.
     template <Problem P>
     static std::vector<std::vector<double>> slopes_of(const PopulationOf<P>& population,
-                                                      const std::vector<std::size_t>& chosen,
-                                                      Context<P>& context) {
+                                                      const std::vector<std::size_t>& chosen, Context<P>& context) {
         std::vector<std::vector<double>> all(chosen.size());
         if (Sensitive<P> || has_gradient(context.problem())) {
             std::vector<Slope<P>> slopes;
@@ -185,12 +172,10 @@ struct Emit : Operator {
                                   context.problem().objectives()[objective].level, Sensitive<P>});
             }
             EvaluationRequest<P> request;
-            for (auto& slope : slopes)
-                request.slopes.push_back(&slope);
+            for (auto& slope : slopes) request.slopes.push_back(&slope);
             context.queue().serve(request);
             for (std::size_t i = 0; i < slopes.size(); ++i) {
-                if (slopes[i].failure)
-                    context.note_missing_derivative(*slopes[i].failure);
+                if (slopes[i].failure) context.note_missing_derivative(*slopes[i].failure);
                 if (slopes[i].sensitivity) {
                     const Eigen::VectorXd down =
                         -slopes[i].sensitivity->jacobian.transpose() * slopes[i].sensitivity->residuals;
@@ -198,8 +183,7 @@ struct Emit : Operator {
                 } else if (!slopes[i].gradient.empty()) {
                     all[i] = slopes[i].gradient;
                     if (population[chosen[i]].fitness.minimises())
-                        for (double& each : all[i])
-                            each = -each;
+                        for (double& each : all[i]) each = -each;
                 }
             }
         }
@@ -212,13 +196,11 @@ struct Emit : Operator {
     static std::vector<double> gradient_of(const P& problem, const Descriptor<typename P::Genome>& descriptor,
                                            const typename P::Genome& genome, const std::vector<double>& genes,
                                            const auto& moving) {
-        if (descriptor.gradient)
-            return descriptor.gradient(genome);
+        if (descriptor.gradient) return descriptor.gradient(genome);
         std::vector<double> gradient(genes.size(), 0);
         const double here = descriptor.of(genome);
         for (const Variable& v : moving) {
-            if (v.gene >= genes.size() || !(width(v) > 0))
-                continue;
+            if (v.gene >= genes.size() || !(width(v) > 0)) continue;
             std::vector<double> beside = genes;
             const double step = (genes[v.gene] + 1e-6 * width(v) <= v.upper ? 1e-6 : -1e-6) * width(v);
             beside[v.gene] += step;

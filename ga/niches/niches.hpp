@@ -28,8 +28,7 @@ struct Clearing : Operator {
             const auto near = std::ranges::count_if(left, [&](const auto& better) {
                 return distance(context.problem(), better.genome, population[i].genome) < radius;
             });
-            if (static_cast<std::size_t>(near) < capacity)
-                left.push_back(std::move(population[i]));
+            if (static_cast<std::size_t>(near) < capacity) left.push_back(std::move(population[i]));
         }
         return left;
     }
@@ -53,21 +52,18 @@ struct Crowding : Operator {
         using G = typename P::Genome;
         auto population = context.generation_start();
         std::map<Identity, std::size_t> places; // places in the start, by the identity that was there first
-        for (std::size_t i = 0; i < population.size(); ++i)
-            places[population[i].identity] = i;
+        for (std::size_t i = 0; i < population.size(); ++i) places[population[i].identity] = i;
         const auto parents_of = [&](const Individual<G>& child) {
             std::vector<std::size_t> found;
             for (const Identity parent : child.parents)
-                if (const auto place = places.find(parent); place != places.end())
-                    found.push_back(place->second);
+                if (const auto place = places.find(parent); place != places.end()) found.push_back(place->second);
             return found;
         };
         const auto apart = [&](const Individual<G>& child, std::size_t place) {
             return distance(context.problem(), child.genome, population[place].genome);
         };
         const auto match = [&](Individual<G>& child, std::size_t place) {
-            if (better(child.fitness, population[place].fitness))
-                population[place] = std::move(child);
+            if (better(child.fitness, population[place].fitness)) population[place] = std::move(child);
         };
         for (std::size_t i = 0; i < children.size(); ++i) {
             Individual<G>& child = children[i];
@@ -121,8 +117,7 @@ struct Sharing : ByFitness {
                 const double share = d < radius ? 1 - std::pow(d / radius, alpha) : 0;
                 crowd[i] += share, crowd[j] += share;
             }
-        for (std::size_t i = 0; i < shared.size(); ++i)
-            shared[i] /= crowd[i];
+        for (std::size_t i = 0; i < shared.size(); ++i) shared[i] /= crowd[i];
         return shared;
     }
     static Words words() {
@@ -131,15 +126,12 @@ struct Sharing : ByFitness {
     static void describe(auto& self, auto visit) {
         visit(self.radius, number("radius", std::nullopt, above_zero, no_limit,
                                   "niche radius: rms of genes in widths, or share of bits that differ"));
-        visit(self.alpha,
-              number("alpha", above_zero, no_limit, "exponent of the sharing function").keyed().quiet());
+        visit(self.alpha, number("alpha", above_zero, no_limit, "exponent of the sharing function").keyed().quiet());
     }
 };
 
 ///@{ The operators as stages.
-inline Clearing clear(double radius, std::size_t capacity = 1) {
-    return checked(Clearing{{}, radius, capacity});
-}
+inline Clearing clear(double radius, std::size_t capacity = 1) { return checked(Clearing{{}, radius, capacity}); }
 inline Crowding crowding() { return {}; }
 inline Proportional<Sharing> share(double radius, double alpha = 1) {
     return checked(Proportional<Sharing>{{}, Sharing{{}, radius, alpha}});

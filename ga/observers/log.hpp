@@ -25,8 +25,7 @@ class Log {
     template <Problem P>
     Observer<typename P::Genome> observer(const P& problem) {
         return [this, &problem](const Event<typename P::Genome>& event) {
-            append(event.path, event.generation, summary(problem, event.population), event.counters,
-                   event.seconds);
+            append(event.path, event.generation, summary(problem, event.population), event.counters, event.seconds);
         };
     }
 

@@ -13,8 +13,7 @@ std::optional<double> best_value(const Population<G>& population) {
     const Fitness* best = nullptr;
     for (const auto& individual : population)
         if (const Fitness& f = individual.fitness; f.has_value())
-            if (!best || (best->known(f.objective_name()) && better(f, *best)))
-                best = &f;
+            if (!best || (best->known(f.objective_name()) && better(f, *best))) best = &f;
     return best ? std::optional(best->value()) : std::nullopt;
 }
 
@@ -35,14 +34,11 @@ Summary summary(const P& problem, const PopulationOf<P>& population) {
     Table<bool> different;
     for (const auto& individual : population) {
         different.at(identify(problem, individual.genome)) = true;
-        if (individual.fitness.has_value())
-            values.push_back(individual.value());
+        if (individual.fitness.has_value()) values.push_back(individual.value());
     }
-    summary.diversity = population.empty()
-                            ? 0
-                            : static_cast<double>(different.size()) / static_cast<double>(population.size());
-    if (values.empty())
-        return summary;
+    summary.diversity =
+        population.empty() ? 0 : static_cast<double>(different.size()) / static_cast<double>(population.size());
+    if (values.empty()) return summary;
     std::sort(values.begin(), values.end());
     summary.best = best_value(population);
     summary.median = (values[(values.size() - 1) / 2] + values[values.size() / 2]) / 2;
@@ -53,8 +49,7 @@ Summary summary(const P& problem, const PopulationOf<P>& population) {
 template <class G>
 std::string status(const Event<G>& event) {
     std::string line = event.path;
-    if (!event.generation.empty())
-        line += " generation " + std::to_string(event.generation.back() + 1);
+    if (!event.generation.empty()) line += " generation " + std::to_string(event.generation.back() + 1);
     if (const auto best = best_value(event.population)) {
         char text[32];
         std::snprintf(text, sizeof text, "%.6g", *best);
@@ -67,8 +62,7 @@ std::string status(const Event<G>& event) {
 template <class G>
 Observer<G> progress(std::function<void(const std::string&)> show, double interval = 0.1) {
     return [show = std::move(show), interval, next = 0.0](const Event<G>& event) mutable {
-        if (event.seconds < next)
-            return;
+        if (event.seconds < next) return;
         next = event.seconds + interval;
         show(status(event));
     };

@@ -8,8 +8,7 @@ namespace ga {
 /// the first on, while they fit. From the next front, the individual with the smallest exclusive hypervolume
 /// is removed until all others fit. Objectives are divided by their ranges in this front. The reference point
 /// is `beyond` ranges below the worst values. Infeasible individuals follow, by their violation.
-std::vector<std::size_t> chosen_by_hypervolume(std::span<const Fitness* const> all, std::size_t mu,
-                                               double beyond);
+std::vector<std::size_t> chosen_by_hypervolume(std::span<const Fitness* const> all, std::size_t mu, double beyond);
 
 /// The points on the unit simplex whose coordinates are multiples of 1/divisions (Das and Dennis 1998):
 /// C(divisions + objectives - 1, divisions). With `inner` above 0, a second layer has that many divisions; it
@@ -36,9 +35,8 @@ struct HypervolumeSelection : Operator {
     }
     static void describe(auto& self, auto visit) {
         visit(self.mu, whole("mu", std::nullopt, 1, "how many"));
-        visit(
-            self.beyond,
-            number("beyond", above_zero, 1e6, "reference point below the worst, in ranges").keyed().quiet());
+        visit(self.beyond,
+              number("beyond", above_zero, 1e6, "reference point below the worst, in ranges").keyed().quiet());
     }
     void check(CheckState& known) const;
 
@@ -59,10 +57,8 @@ struct ReferenceDirections : Operator {
     }
     static void describe(auto& self, auto visit) {
         visit(self.mu, whole("mu", std::nullopt, 1, "how many"));
-        visit(self.divisions, whole("divisions", 0, "of an edge of the simplex; 0: as many as fit mu")
-                                  .up_to(1000)
-                                  .keyed()
-                                  .quiet());
+        visit(self.divisions,
+              whole("divisions", 0, "of an edge of the simplex; 0: as many as fit mu").up_to(1000).keyed().quiet());
         visit(self.inner, whole("inner", 0, "of the second layer; 0: none").up_to(1000).keyed().quiet());
     }
     void check(CheckState& known) const { known.need_several_objectives(text_of(*this)); }
@@ -72,8 +68,7 @@ struct ReferenceDirections : Operator {
     template <Problem P>
     PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context) const {
         std::size_t objectives = 0;
-        for (const auto& each : population)
-            objectives = std::max(objectives, each.fitness.values().size());
+        for (const auto& each : population) objectives = std::max(objectives, each.fitness.values().size());
         if (objectives == 0) // all have failed
             return best_of(population, mu);
         Stream stream = context.stream(0);

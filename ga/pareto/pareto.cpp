@@ -12,9 +12,8 @@ double dominated_share(const std::vector<Point>& points, const Point& reference,
             const double u = stream.uniform();
             sample[k] = reference[k] + width[k] * u / (1 - u);
         }
-        dominated += std::ranges::any_of(points, [&](const Point& point) {
-            return std::ranges::equal(point, sample, std::greater_equal());
-        });
+        dominated += std::ranges::any_of(
+            points, [&](const Point& point) { return std::ranges::equal(point, sample, std::greater_equal()); });
     }
     return static_cast<double>(dominated) / count;
 }
@@ -29,8 +28,7 @@ void Pareto::validate() const {
 }
 
 void Pareto::check(CheckState& known) const {
-    for (const auto& objective : objectives)
-        known.objective(text_of(*this), objective);
+    for (const auto& objective : objectives) known.objective(text_of(*this), objective);
     known.scored = text_of(*this);
 }
 

@@ -48,8 +48,7 @@ struct Pareto : Operator {
         const Name name(text_of(*this)), first = context.objective_name(0);
         std::vector<Level> levels;
         for (const auto* objective : read)
-            if (std::ranges::count(levels, objective->level) == 0)
-                levels.push_back(objective->level);
+            if (std::ranges::count(levels, objective->level) == 0) levels.push_back(objective->level);
         // The objectives of one level are read together; those of the last level complete the fitness.
         std::vector<Point> points(population.size(), Point(read.size()));
         for (const Level level : levels)
@@ -59,8 +58,7 @@ struct Pareto : Operator {
                     Point& point = points[static_cast<std::size_t>(&individual - population.data())];
                     Fitness last;
                     for (std::size_t k = 0; k < read.size(); ++k) {
-                        if (read[k]->level != level)
-                            continue;
+                        if (read[k]->level != level) continue;
                         last = fitness_of(context.problem(), evaluation, *read[k], name);
                         if (last.has_failed()) {
                             individual.fitness = last;
@@ -69,8 +67,8 @@ struct Pareto : Operator {
                         point[k] = last.merit();
                     }
                     if (with_first && context.problem().objectives()[0].level == level) {
-                        individual.fitness = fitness_of(context.problem(), evaluation,
-                                                        context.problem().objectives()[0], first);
+                        individual.fitness =
+                            fitness_of(context.problem(), evaluation, context.problem().objectives()[0], first);
                         context.offer(individual);
                     }
                     if (level == levels.back())
@@ -94,9 +92,8 @@ struct Front : Operator {
     PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context) const {
         auto front = ga::front_of(population);
         if (front.empty())
-            context.end_with(population,
-                             "every one of " + std::to_string(population.size()) +
-                                 " individuals failed; the first: " + population.front().fitness.reason());
+            context.end_with(population, "every one of " + std::to_string(population.size()) +
+                                             " individuals failed; the first: " + population.front().fitness.reason());
         return front;
     }
 };

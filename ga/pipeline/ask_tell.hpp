@@ -28,8 +28,8 @@ class AskTell : Evaluator<P> {
         thread_ = std::thread([this, population = std::move(population), options = std::move(options),
                                observers = std::move(observers), checkpointer]() mutable {
             try {
-                result_ = run_by(static_cast<Evaluator<P>&>(*this), pipeline_, problem_,
-                                 std::move(population), options, std::move(observers), checkpointer);
+                result_ = run_by(static_cast<Evaluator<P>&>(*this), pipeline_, problem_, std::move(population), options,
+                                 std::move(observers), checkpointer);
             } catch (...) {
                 error_ = std::current_exception();
             }
@@ -50,8 +50,7 @@ class AskTell : Evaluator<P> {
     std::vector<Proposal> ask() {
         std::unique_lock lock(guard_);
         changed_.wait(lock, [&] { return done_ || open_ > 0; });
-        if (error_)
-            std::rethrow_exception(error_);
+        if (error_) std::rethrow_exception(error_);
         std::vector<Proposal> proposals;
         for (std::size_t i = 0; i < calls_.size(); ++i)
             if (std::holds_alternative<Pending>(*calls_[i].answer))
@@ -75,8 +74,7 @@ class AskTell : Evaluator<P> {
         stop();
         std::unique_lock lock(guard_);
         changed_.wait(lock, [&] { return done_; });
-        if (error_)
-            std::rethrow_exception(error_);
+        if (error_) std::rethrow_exception(error_);
         return result_;
     }
 
@@ -90,8 +88,7 @@ class AskTell : Evaluator<P> {
         changed_.notify_all();
         while (open_ > 0 && !stop_ && !watch.expired()) {
             changed_.wait_for(lock, 20ms);
-            if (asked_to_stop_ && asked_to_stop_->load())
-                stop_ = true;
+            if (asked_to_stop_ && asked_to_stop_->load()) stop_ = true;
         }
         first_ += calls.size();
         calls_ = {};
@@ -100,14 +97,12 @@ class AskTell : Evaluator<P> {
 
     void answer(std::size_t id, Evaluation<Outcome> evaluation) {
         const std::lock_guard lock(guard_);
-        if (stop_ || done_)
-            return;
+        if (stop_ || done_) return;
         if (id < first_ || id - first_ >= calls_.size() ||
             !std::holds_alternative<Pending>(*calls_[id - first_].answer))
             throw UsageError("proposal " + std::to_string(id) + " is not open; answer one that ask returned");
         *calls_[id - first_].answer = std::move(evaluation);
-        if (--open_ == 0)
-            changed_.notify_all();
+        if (--open_ == 0) changed_.notify_all();
     }
 
     Pipeline<P> pipeline_;

@@ -5,16 +5,14 @@
 namespace ga {
 
 void CheckState::need_score(const std::string& stage) const {
-    if (!scored)
-        throw UsageError("stage '" + stage + "' needs a scored population; put score before it");
+    if (!scored) throw UsageError("stage '" + stage + "' needs a scored population; put score before it");
 }
 
 void CheckState::need_one_objective(const std::string& stage) const {
     need_score(stage);
     if (several_objectives())
-        throw UsageError("stage '" + stage +
-                         "' needs one objective's fitness, the population is ranked by '" + *scored +
-                         "'; put score before it");
+        throw UsageError("stage '" + stage + "' needs one objective's fitness, the population is ranked by '" +
+                         *scored + "'; put score before it");
 }
 
 void CheckState::need_several_objectives(const std::string& stage) const {
@@ -29,8 +27,7 @@ void CheckState::need_individuals(const std::string& stage, std::size_t n) const
 }
 
 void CheckState::need_generation(const std::string& stage, const std::string& does) const {
-    if (!in_generation)
-        throw UsageError("stage '" + stage + "' " + does + "; put it inside repeat or until");
+    if (!in_generation) throw UsageError("stage '" + stage + "' " + does + "; put it inside repeat or until");
 }
 
 void CheckState::need_repetition(const std::string& stage) const {
@@ -48,10 +45,8 @@ void CheckState::need_comparable_start(const std::string& stage) const {
 }
 
 std::string CheckState::objective(const std::string& stage, const std::string& name) const {
-    if (name.empty())
-        return objectives.front();
-    if (std::ranges::count(objectives, name) > 0)
-        return name;
+    if (name.empty()) return objectives.front();
+    if (std::ranges::count(objectives, name) > 0) return name;
     throw UsageError("stage '" + stage + "': unknown objective '" + name + "'; use one of " +
                      boost::algorithm::join(objectives, ", "));
 }

@@ -5,11 +5,9 @@
 namespace ga {
 
 std::string Parameter::expected(bool in_full) const {
-    if (is_text())
-        return kind == Kind::word ? "a name" : "names";
+    if (is_text()) return kind == Kind::word ? "a name" : "names";
     std::string text = kind == Kind::whole ? "a whole number" : "a number";
-    if (lower > -no_limit)
-        text += lower == above_zero ? " above 0" : " from " + ga::number(lower);
+    if (lower > -no_limit) text += lower == above_zero ? " above 0" : " from " + ga::number(lower);
     if (upper < (kind == Kind::whole && !in_full ? max_whole : no_limit))
         text += " to " + (kind == Kind::whole ? std::to_string(static_cast<long>(upper)) : ga::number(upper));
     return text;
@@ -70,10 +68,8 @@ std::string values_in_words(const std::vector<BoundParameter>& fields) {
     std::string text;
     for (const BoundParameter& field : fields) {
         const std::string words = field.in_words();
-        if (words.empty() || (field.parameter.is_quiet && field.parameter.standard == words))
-            continue;
-        text +=
-            (text.empty() ? "" : " ") + (field.parameter.is_keyed ? field.parameter.name + "=" : "") + words;
+        if (words.empty() || (field.parameter.is_quiet && field.parameter.standard == words)) continue;
+        text += (text.empty() ? "" : " ") + (field.parameter.is_keyed ? field.parameter.name + "=" : "") + words;
     }
     return text;
 }
@@ -81,8 +77,8 @@ std::string values_in_words(const std::vector<BoundParameter>& fields) {
 void check_values(const std::vector<BoundParameter>& fields, const std::string& name) {
     for (const BoundParameter& field : fields)
         if (const auto given = field.as_number(); given && !field.parameter.allows(*given))
-            throw UsageError("stage '" + name + "': " + field.parameter.name + " is '" + field.in_words() +
-                             "'; give " + field.parameter.expected(*given > field.parameter.upper));
+            throw UsageError("stage '" + name + "': " + field.parameter.name + " is '" + field.in_words() + "'; give " +
+                             field.parameter.expected(*given > field.parameter.upper));
 }
 
 } // namespace ga

@@ -113,8 +113,7 @@ template <class T>
 [[gnu::cold]] std::vector<BoundParameter> bound_parameters(T& described) {
     std::vector<BoundParameter> fields;
     const auto add = [&](auto& value, Parameter parameter) {
-        if (parameter.is_of_operator)
-            parameter.standard = BoundParameter{{}, &value}.in_words();
+        if (parameter.is_of_operator) parameter.standard = BoundParameter{{}, &value}.in_words();
         fields.push_back({std::move(parameter), &value});
     };
     T usual{};
@@ -136,8 +135,7 @@ template <class T>
 [[gnu::cold]] std::vector<Parameter> parameters_of() {
     T usual{};
     std::vector<Parameter> parameters;
-    for (BoundParameter& field : bound_parameters(usual))
-        parameters.push_back(std::move(field.parameter));
+    for (BoundParameter& field : bound_parameters(usual)) parameters.push_back(std::move(field.parameter));
     return parameters;
 }
 /// Throws UsageError if a value of the stage called `name` is out of range.
@@ -147,8 +145,7 @@ void check_values(const std::vector<BoundParameter>& fields, const std::string& 
 template <class T>
 [[gnu::cold]] void check_values(T described, const std::string& name) {
     check_values(bound_parameters(described), name);
-    if constexpr (requires { described.validate(); })
-        described.validate();
+    if constexpr (requires { described.validate(); }) described.validate();
 }
 
 } // namespace ga

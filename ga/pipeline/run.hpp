@@ -8,7 +8,7 @@ namespace ga {
 struct RunOptions {
     std::string variant = "pipeline"; ///< first word of every stage's path; does not affect random numbers
     std::uint64_t seed = 1;           ///< seed of every random stream
-    int threads = 0; ///< number of threads of `run`, 0 for OpenMP's default; not used by `run_by`
+    int threads = 0;                  ///< number of threads of `run`, 0 for OpenMP's default; not used by `run_by`
     std::size_t memory_bytes = std::size_t{1} << 30; ///< memory for known outcomes; does not affect a result
     Budget budget = {};                              ///< limits at which the run stops early
     /// Memory for one population; a run that would exceed it ends with its current population.
@@ -34,11 +34,9 @@ struct Result {
 template <Problem P>
 [[gnu::cold]] CheckState known_of(const P& problem) {
     CheckState known;
-    for (const auto& objective : problem.objectives())
-        known.objectives.push_back(objective.name);
+    for (const auto& objective : problem.objectives()) known.objectives.push_back(objective.name);
     known.has_gradient = has_gradient(problem);
-    if (known.objectives.empty())
-        throw UsageError("the problem has no objective; define at least one");
+    if (known.objectives.empty()) throw UsageError("the problem has no objective; define at least one");
     return known;
 }
 /// Throws UsageError if the pipeline cannot work on this problem and population.
@@ -48,10 +46,8 @@ template <Problem P>
     known.nobody = population.empty();
     if (known.nobody && !pipeline.begins())
         throw UsageError("the population is empty; give at least one individual, or begin with sample");
-    if (!known.nobody)
-        known.at_most = population.size();
-    if (!known.nobody && comparable(population))
-        known.scored = population.front().fitness.objective();
+    if (!known.nobody) known.at_most = population.size();
+    if (!known.nobody && comparable(population)) known.scored = population.front().fitness.objective();
     pipeline.check(known);
     pipeline.check_end(known);
 }
@@ -74,14 +70,11 @@ template <class G>
 [[gnu::cold]] Population<G> salvaged(Population<G> population) {
     std::erase_if(population, [](const auto& individual) { return !individual.fitness.known(); });
     std::map<std::string, std::size_t> policies;
-    for (const auto& individual : population)
-        ++policies[individual.fitness.objective()];
+    for (const auto& individual : population) ++policies[individual.fitness.objective()];
     std::string policy;
     for (const auto& [name, count] : policies)
-        if (policy.empty() || count > policies[policy])
-            policy = name;
-    std::erase_if(population,
-                  [&](const auto& individual) { return individual.fitness.objective() != policy; });
+        if (policy.empty() || count > policies[policy]) policy = name;
+    std::erase_if(population, [&](const auto& individual) { return individual.fitness.objective() != policy; });
     return best_of(without_levels(std::move(population)), all_individuals);
 }
 
@@ -89,12 +82,10 @@ template <class G>
 template <class G>
 [[gnu::cold]] Identity with_identities_unique(Population<G>& population) {
     Identity next = 0;
-    for (const auto& individual : population)
-        next = std::max(next, individual.identity + 1);
+    for (const auto& individual : population) next = std::max(next, individual.identity + 1);
     std::set<Identity> taken;
     for (auto& individual : population)
-        if (!taken.insert(individual.identity).second)
-            individual.identity = next++;
+        if (!taken.insert(individual.identity).second) individual.identity = next++;
     return next;
 }
 
@@ -102,14 +93,11 @@ template <class G>
 /// may have computed the values. Afterwards the run knows its best start.
 template <Problem P>
 [[gnu::cold]] void score_given(PopulationOf<P>& population, Context<P>& context) {
-    if (population.empty() || !comparable(population))
-        return;
+    if (population.empty() || !comparable(population)) return;
     const std::string objective = population.front().fitness.objective();
-    if (std::ranges::none_of(context.problem().objectives(),
-                             [&](const auto& each) { return each.name == objective; }))
+    if (std::ranges::none_of(context.problem().objectives(), [&](const auto& each) { return each.name == objective; }))
         return;
-    for (auto& individual : population)
-        individual.fitness = {};
+    for (auto& individual : population) individual.fitness = {};
     const typename Context<P>::Scope scope(context.position, Name("given"), 0);
     context.score(population, objective);
     context.show(population);
@@ -127,49 +115,41 @@ run_by(Evaluator<P>& evaluator, const std::type_identity_t<Pipeline<P>>& pipelin
     check(pipeline, problem, population);
     for (std::size_t i = 0; i < population.size(); ++i)
         if (!is_valid(problem, population[i].genome))
-            throw UsageError(
-                "start " + std::to_string(i + 1) +
-                " is not a genome of the problem; give one of its length, with finite numbers or "
-                "each of 0 to n - 1 once");
+            throw UsageError("start " + std::to_string(i + 1) +
+                             " is not a genome of the problem; give one of its length, with finite numbers or "
+                             "each of 0 to n - 1 once");
     const Identity next = with_identities_unique(population);
     Ledger<P> ledger(problem, evaluator, options.memory_bytes, options.budget);
-    Context<P> context(ledger, StagePosition<G>(options.variant, options.seed), next,
-                       options.population_bytes, std::move(observers), checkpointer);
+    Context<P> context(ledger, StagePosition<G>(options.variant, options.seed), next, options.population_bytes,
+                       std::move(observers), checkpointer);
     Frame<G> outermost; // for states outside every loop
     context.state.loops.push_back(&outermost);
     Result<G> result;
     try {
         std::optional<Population<G>> answer;
         if (checkpointer) {
-            if (auto kept =
-                    checkpointer->begin(ledger, identity_of_run(pipeline, problem, options.seed, population)))
+            if (auto kept = checkpointer->begin(ledger, identity_of_run(pipeline, problem, options.seed, population)))
                 context.resume(std::move(*kept));
             answer = checkpointer->answer();
         }
         const bool known = answer.has_value();
-        if (!known && context.state.saved.empty())
-            score_given(population, context);
+        if (!known && context.state.saved.empty()) score_given(population, context);
         result.population = known ? std::move(*answer) : pipeline(std::move(population), context);
-        if (checkpointer && !known)
-            checkpointer->write(context.snapshot(), ledger, &result.population);
-        if (ledger.all_failed())
-            throw Stopped{ledger.failure_text(), true};
+        if (checkpointer && !known) checkpointer->write(context.snapshot(), ledger, &result.population);
+        if (ledger.all_failed()) throw Stopped{ledger.failure_text(), true};
     } catch (const Stopped& stop) {
         // If one island cannot continue, a stop may have ended other islands early.
         result.is_dead_end = stop.is_dead_end && !context.watch().expired();
         result.stopped = stop.is_dead_end == result.is_dead_end ? stop.reason : context.watch().reason();
         if (context.state.stopped_population)
             result.population = salvaged(std::move(*context.state.stopped_population));
-        if (result.population.empty() && context.best())
-            result.population = {*context.best()};
+        if (result.population.empty() && context.best()) result.population = {*context.best()};
     }
-    if (comparable(result.population))
-        result.front = ga::front_of(result.population);
+    if (comparable(result.population)) result.front = ga::front_of(result.population);
     result.best = context.best();
     result.counters = context.counters();
     result.notes = context.state.notes;
-    if (checkpointer && !checkpointer->trouble().empty())
-        result.notes.push_back(checkpointer->trouble());
+    if (checkpointer && !checkpointer->trouble().empty()) result.notes.push_back(checkpointer->trouble());
     result.seconds = context.seconds();
     return result;
 }
@@ -178,11 +158,9 @@ run_by(Evaluator<P>& evaluator, const std::type_identity_t<Pipeline<P>>& pipelin
 template <Problem P, class G = typename P::Genome>
 [[gnu::cold]] Result<G> run(const std::type_identity_t<Pipeline<P>>& pipeline, const P& problem,
                             Population<G> population, const RunOptions& options = {},
-                            std::vector<Observer<G>> observers = {},
-                            Checkpointer<P>* checkpointer = nullptr) {
+                            std::vector<Observer<G>> observers = {}, Checkpointer<P>* checkpointer = nullptr) {
     OnThreads<P> threads(options.threads);
-    return run_by(threads, pipeline, problem, std::move(population), options, std::move(observers),
-                  checkpointer);
+    return run_by(threads, pipeline, problem, std::move(population), options, std::move(observers), checkpointer);
 }
 
 } // namespace ga

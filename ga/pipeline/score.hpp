@@ -43,16 +43,12 @@ struct Average : Operator {
 
     static constexpr bool keeps_size = true; ///< it adds no individual
     static constexpr const char* needs = "a noisy evaluation (evaluate(genome, replicate))";
-    static Words words() {
-        return {"average", "selection", "the mean fitness of n replicates of a noisy evaluation"};
-    }
+    static Words words() { return {"average", "selection", "the mean fitness of n replicates of a noisy evaluation"}; }
     static void describe(auto& self, auto visit) {
         visit(self.n, whole("n", std::nullopt, 1, "replicates that are added each time").up_to(1e6));
         visit(self.objective, word("objective", "one of the problem's; by default its first"));
-        visit(self.limit, whole("limit", 0, "maximum replicates of one individual in total; 0 for n")
-                              .up_to(1e6)
-                              .keyed()
-                              .quiet());
+        visit(self.limit,
+              whole("limit", 0, "maximum replicates of one individual in total; 0 for n").up_to(1e6).keyed().quiet());
     }
     void check(CheckState& known) const { known.scored = known.objective(text_of(*this), objective); }
 

@@ -15,8 +15,8 @@ struct CheckState {
     std::optional<std::string> start_scored; ///< policy under which the generation's start is scored
     bool nobody = false;                     ///< whether the population is still empty
     std::size_t at_most = all_individuals;   ///< upper bound on the number of individuals, if one is known
-    std::string trials = {}; ///< stage of the generation whose children need a comparison with their parents
-    bool on_islands = false; ///< whether the point is inside `islands`
+    std::string trials = {};   ///< stage of the generation whose children need a comparison with their parents
+    bool on_islands = false;   ///< whether the point is inside `islands`
     bool has_gradient = false; ///< whether the problem has derivatives of its fitness
     /// Whether the population is scored under several objectives.
     bool several_objectives() const { return scored && scored->find(' ') != std::string::npos; }
@@ -28,8 +28,7 @@ struct CheckState {
     /// Throws UsageError, with the stage's name, unless individuals were scored by `pareto`.
     void need_several_objectives(const std::string& stage) const;
     /// Throws UsageError, with the stage's name and purpose, if the stage is not in a block of generations.
-    void need_generation(const std::string& stage,
-                         const std::string& does = "reads the start of a generation") const;
+    void need_generation(const std::string& stage, const std::string& does = "reads the start of a generation") const;
     /// Throws UsageError if a stage that learns is not in a block of generations.
     void need_repetition(const std::string& stage) const;
     /// Throws UsageError, with the stage's name, if there are surely fewer than n individuals.
@@ -132,8 +131,7 @@ class Pipeline {
     /// Sets the text and the column that error messages name, for stages that do not have them yet.
     void locate(const std::string& text, std::size_t column) {
         for (auto& placed : stages_)
-            if (!placed.written)
-                placed.written = {text, column};
+            if (!placed.written) placed.written = {text, column};
     }
 
     /// Throws UsageError if the pipeline cannot work on a population with the properties in `known`.
@@ -145,8 +143,7 @@ class Pipeline {
                                      "' needs a population; give one at the start, or put sample before it");
                 placed.stage.check(known);
                 known.nobody = false;
-                if (!placed.stage.keeps_size)
-                    known.at_most = all_individuals;
+                if (!placed.stage.keeps_size) known.at_most = all_individuals;
             });
     }
     /// Throws UsageError if the pipeline leaves the population unscored.
@@ -170,8 +167,7 @@ class Pipeline {
                 context.pause();
             }
         } catch (const Stopped&) {
-            if (!context.state.stopped_population)
-                context.state.stopped_population = std::move(frame->population);
+            if (!context.state.stopped_population) context.state.stopped_population = std::move(frame->population);
             throw;
         }
         return std::move(frame->population);
@@ -180,8 +176,7 @@ class Pipeline {
     /// The pipeline as text, from which the parser makes the same pipeline.
     std::string text() const {
         std::string text;
-        for (const auto& placed : stages_)
-            text += (text.empty() ? "" : " | ") + placed.stage.text;
+        for (const auto& placed : stages_) text += (text.empty() ? "" : " | ") + placed.stage.text;
         return text;
     }
     /// Whether the pipeline works without a population.
@@ -189,8 +184,7 @@ class Pipeline {
     /// Number of the best individuals of a generation's start that the stages read.
     std::size_t reads_of_start() const {
         std::size_t max = 0;
-        for (const auto& placed : stages_)
-            max = std::max(max, placed.stage.reads_of_start);
+        for (const auto& placed : stages_) max = std::max(max, placed.stage.reads_of_start);
         return max;
     }
 
@@ -208,8 +202,7 @@ class Pipeline {
             } catch (const TextError&) {
                 throw;
             } catch (const UsageError& error) {
-                if (!written)
-                    throw;
+                if (!written) throw;
                 throw TextError(written->first, written->second, error.what());
             }
         }
@@ -219,8 +212,7 @@ class Pipeline {
     static void apply(const PlacedStage& placed, Frame<Genome>& frame, Context<P>& context) {
         const typename Context<P>::Scope scope(context.position, placed.name, placed.ordinal);
         std::optional<std::pair<Snapshot<Genome>, Population<Genome>>> before;
-        if (context.is_kept())
-            before.emplace(context.snapshot(false), frame.population);
+        if (context.is_kept()) before.emplace(context.snapshot(false), frame.population);
         try {
             frame.population = placed.stage.apply(std::move(frame.population), context);
         } catch (const Stopped&) {
@@ -291,8 +283,7 @@ class Pipeline {
 /// Checks a body that runs in generations. Each generation must be able to work on the population that the
 /// previous generation returns. `more` checks the CheckState after the first generation.
 template <Problem P, class More>
-[[gnu::cold]] void check_generation(const Pipeline<P>& body, const std::string& name, CheckState& known,
-                                    More more) {
+[[gnu::cold]] void check_generation(const Pipeline<P>& body, const std::string& name, CheckState& known, More more) {
     CheckState inside = known;
     inside.in_generation = true;
     inside.start_scored = known.scored;

@@ -22,8 +22,7 @@ struct Transform : Operator {
         std::vector<Work> work(population.size());
         parallel_for(population.size(), context.threads(), [&](std::size_t i) {
             auto& individual = population[i];
-            if (individual.fitness.has_failed())
-                return;
+            if (individual.fitness.has_failed()) return;
             try {
                 individual.genome = with_work(function, work[i], std::as_const(individual.genome));
                 individual.fitness = {};

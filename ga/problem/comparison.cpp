@@ -23,8 +23,7 @@ std::vector<std::size_t> pareto_ranks(const std::vector<Point>& points) {
     return rank;
 }
 
-std::vector<double> crowding_distances(const std::vector<Point>& points,
-                                       const std::vector<std::size_t>& ranks) {
+std::vector<double> crowding_distances(const std::vector<Point>& points, const std::vector<std::size_t>& ranks) {
     std::vector<double> room(points.size(), 0);
     for (std::size_t k = 0; !points.empty() && k < points[0].size(); ++k) {
         const auto order = in_order(points.size(), [&](std::size_t a, std::size_t b) {
@@ -32,8 +31,7 @@ std::vector<double> crowding_distances(const std::vector<Point>& points,
         });
         for (std::size_t first = 0, last; first < order.size(); first = last + 1) {
             last = first;
-            while (last + 1 < order.size() && ranks[order[last + 1]] == ranks[order[first]])
-                ++last;
+            while (last + 1 < order.size() && ranks[order[last + 1]] == ranks[order[first]]) ++last;
             const double range = points[order[last]][k] - points[order[first]][k];
             room[order[first]] = room[order[last]] = HUGE_VAL;
             for (std::size_t i = first + 1; i < last && range > 0; ++i)
@@ -52,8 +50,7 @@ std::vector<double> classes_by_rules(std::span<const Fitness* const> all) {
     std::vector<double> merits(all.size());
     double place = -1;
     for (std::size_t i = 0; i < order.size(); ++i) {
-        if (i > 0 && key(order[i - 1]) < key(order[i]))
-            --place;
+        if (i > 0 && key(order[i - 1]) < key(order[i])) --place;
         merits[order[i]] = all[order[i]]->has_failed() ? -HUGE_VAL : place;
     }
     return merits;
@@ -83,8 +80,7 @@ std::vector<double> crowded_merits(std::span<const Fitness* const> all) {
              return all[others[a]]->violation() < all[others[b]]->violation();
          }))
         if (const Fitness& each = *all[others[i]]; !each.has_failed()) {
-            if (each.violation() > std::exchange(before, each.violation()))
-                --last;
+            if (each.violation() > std::exchange(before, each.violation())) --last;
             merits[others[i]] = last;
         }
     return merits;
@@ -96,8 +92,8 @@ std::vector<double> merits(std::span<const Fitness* const> all) {
     for (std::size_t i = 0; i < all.size(); ++i) {
         const Fitness& each = *all[i];
         if (!each.known() || each.objective_name() != all[0]->objective_name())
-            throw UsageError("fitness under '" + all[0]->objective() + "' was compared with '" +
-                             each.objective() + "'; score all by one objective first");
+            throw UsageError("fitness under '" + all[0]->objective() + "' was compared with '" + each.objective() +
+                             "'; score all by one objective first");
         several |= each.several();
         ruled |= !each.feasible();
         merits[i] = several ? 0 : each.merit();
@@ -122,8 +118,7 @@ std::vector<std::size_t> ranking(const std::vector<double>& merits, std::size_t 
     return order;
 }
 
-std::vector<std::size_t> in_order(std::size_t n,
-                                  const std::function<bool(std::size_t, std::size_t)>& before) {
+std::vector<std::size_t> in_order(std::size_t n, const std::function<bool(std::size_t, std::size_t)>& before) {
     std::vector<std::size_t> order(n);
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::sort(order.begin(), order.end(),
@@ -134,8 +129,7 @@ std::vector<std::size_t> in_order(std::size_t n,
 bool dominates(const Point& a, const Point& b) {
     bool better = false;
     for (std::size_t i = 0; i < a.size(); ++i) {
-        if (a[i] < b[i])
-            return false;
+        if (a[i] < b[i]) return false;
         better |= a[i] > b[i];
     }
     return better;

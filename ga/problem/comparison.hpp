@@ -23,8 +23,7 @@ std::vector<std::size_t> pareto_ranks(const std::vector<Point>& points);
 
 /// The crowding distance of each point in its front (Deb et al. 2002): the distance between its two
 /// neighbours relative to the front's range, summed over objectives. It is infinite at the ends of a front.
-std::vector<double> crowding_distances(const std::vector<Point>& points,
-                                       const std::vector<std::size_t>& ranks);
+std::vector<double> crowding_distances(const std::vector<Point>& points, const std::vector<std::size_t>& ranks);
 
 /// A number of individuals that stands for all.
 constexpr std::size_t all_individuals = static_cast<std::size_t>(-1);
@@ -50,8 +49,7 @@ std::vector<const Fitness*> fitnesses_of(const Population<G>& population, const 
     std::vector<const Fitness*> all(population.size() + others.size());
     auto at = all.begin();
     for (const auto* part : {&population, &others})
-        for (const auto& individual : *part)
-            *at++ = &individual.fitness;
+        for (const auto& individual : *part) *at++ = &individual.fitness;
     return all;
 }
 /// The merits of a population, followed by the merits of `others`.
@@ -73,8 +71,7 @@ template <class G>
 Population<G> individuals_at(const std::vector<std::size_t>& positions, const Population<G>& population) {
     Population<G> chosen;
     chosen.reserve(positions.size());
-    for (const std::size_t i : positions)
-        chosen.push_back(population[i]);
+    for (const std::size_t i : positions) chosen.push_back(population[i]);
     return chosen;
 }
 /// The n best individuals, best first, failed ones last; all if there are fewer.
@@ -102,8 +99,7 @@ Population<G> start_of_generation(const Population<G>& population, std::size_t r
 template <class G>
 Population<G> without_levels(Population<G> population) {
     for (auto& individual : population)
-        if (!individual.fitness.violations().empty())
-            individual.fitness = individual.fitness.relaxed({});
+        if (!individual.fitness.violations().empty()) individual.fitness = individual.fitness.relaxed({});
     return population;
 }
 
@@ -111,8 +107,7 @@ Population<G> without_levels(Population<G> population) {
 template <class G>
 std::vector<Identity> identities_of(const Population<G>& population) {
     std::vector<Identity> all;
-    for (const auto& individual : population)
-        all.push_back(individual.identity);
+    for (const auto& individual : population) all.push_back(individual.identity);
     std::sort(all.begin(), all.end());
     return all;
 }
@@ -122,8 +117,7 @@ template <class G>
 Population<G> joined_with(const Population<G>& start, Population<G> population) {
     const std::vector<Identity> present = identities_of(population);
     for (const auto& old : start)
-        if (!std::binary_search(present.begin(), present.end(), old.identity))
-            population.push_back(old);
+        if (!std::binary_search(present.begin(), present.end(), old.identity)) population.push_back(old);
     return population;
 }
 
@@ -152,18 +146,15 @@ template <class G>
 Population<G> front_of(const Population<G>& population) {
     Population<G> scored;
     for (const auto& individual : population)
-        if (individual.fitness.known() && !individual.fitness.has_failed())
-            scored.push_back(individual);
-    if (scored.empty())
-        return scored;
+        if (individual.fitness.known() && !individual.fitness.has_failed()) scored.push_back(individual);
+    if (scored.empty()) return scored;
     const std::vector<double> worth = merits(scored);
     const double highest = std::ranges::max(worth);
     const bool several = scored.front().fitness.several();
     const double lowest = several ? std::min(0.0, highest) : highest; // the first front has merits from 0 on
     Population<G> front;
     for (std::size_t i = 0; i < scored.size(); ++i)
-        if (worth[i] >= lowest)
-            front.push_back(std::move(scored[i]));
+        if (worth[i] >= lowest) front.push_back(std::move(scored[i]));
     return front;
 }
 

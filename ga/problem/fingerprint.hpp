@@ -51,8 +51,7 @@ concept PlainNumber = std::integral<T> || std::same_as<T, float> || std::same_as
 
 /// A genome with bits that ga can read: a range of numbers. For other genomes the problem has a member `key`.
 template <class G>
-concept RangeOfNumbers =
-    std::ranges::input_range<const G> && PlainNumber<std::ranges::range_value_t<const G>>;
+concept RangeOfNumbers = std::ranges::input_range<const G> && PlainNumber<std::ranges::range_value_t<const G>>;
 
 /// The fingerprint of bytes, including their number.
 inline Fingerprint fingerprint(std::string_view bytes) { return fingerprint(bytes.data(), bytes.size()); }
@@ -65,8 +64,7 @@ requires(!std::convertible_to<G, std::string_view>) Fingerprint fingerprint(cons
         return fingerprint(std::ranges::data(genome), sizeof(T) * std::ranges::size(genome));
     } else {
         std::string bytes;
-        for (const T value : genome)
-            bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+        for (const T value : genome) bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
         return fingerprint(std::string_view(bytes));
     }
 }

@@ -33,8 +33,7 @@ Fitness Fitness::failed(Name policy, Reason why) {
 Fitness Fitness::constrained(std::vector<double> violations, std::optional<double> sum) const {
     Fitness fitness = *this;
     if (std::ranges::any_of(violations, [](double each) { return each > 0; })) {
-        for (double& each : violations)
-            each = std::max(each, 0.0);
+        for (double& each : violations) each = std::max(each, 0.0);
         fitness.detail_ = std::make_shared<const Detail>(
             Detail{several() ? detail_->values : Point(), nullptr, std::move(violations)});
     }

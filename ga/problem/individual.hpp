@@ -124,8 +124,7 @@ class Fitness {
     };
 
     void need(bool one) const {
-        if (!known() || (one && several()))
-            refuse();
+        if (!known() || (one && several())) refuse();
     }
     void refuse() const;
 

@@ -33,8 +33,7 @@ struct Permutation {
         Permutation permutation;
         permutation.order.resize(n);
         std::iota(permutation.order.begin(), permutation.order.end(), 0u);
-        for (std::size_t i = n; i > 1; --i)
-            std::swap(permutation.order[i - 1], permutation.order[stream.below(i)]);
+        for (std::size_t i = n; i > 1; --i) std::swap(permutation.order[i - 1], permutation.order[stream.below(i)]);
         return permutation;
     }
 };
@@ -79,9 +78,7 @@ concept Levelled = Problem<P> && requires(const P& problem, const typename P::Ge
 };
 
 /// The bit of a level in a set of at most eight levels.
-constexpr std::uint8_t bit_of(Level level) {
-    return static_cast<std::uint8_t>(1u << static_cast<unsigned>(level));
-}
+constexpr std::uint8_t bit_of(Level level) { return static_cast<std::uint8_t>(1u << static_cast<unsigned>(level)); }
 
 /// The price of a level; 1 for each call of a problem that states none.
 template <Problem P>
@@ -95,8 +92,7 @@ LevelPrice price_of(const P& problem, Level level) {
 /// Optional: an evaluation with noise, for `average`. Each replicate is a pure function of its number;
 /// `evaluate(genome)` is replicate 0.
 template <class P>
-concept Noisy = Problem<P> &&
-    requires(const P& problem, const typename P::Genome& genome, std::uint64_t replicate) {
+concept Noisy = Problem<P> && requires(const P& problem, const typename P::Genome& genome, std::uint64_t replicate) {
     { problem.evaluate(genome, replicate) } -> std::same_as<typename P::Outcome>;
 };
 
@@ -129,8 +125,7 @@ concept ValidatesOutcomes = requires(const P& problem, const typename P::Outcome
 
 /// Optional: a genome as a vector of real genes, and back.
 template <class P>
-concept ConvertsGenes = requires(const P& problem, const typename P::Genome& genome,
-                                 const std::vector<double>& genes) {
+concept ConvertsGenes = requires(const P& problem, const typename P::Genome& genome, const std::vector<double>& genes) {
     { problem.genes(genome) } -> std::same_as<std::vector<double>>;
     { problem.with_genes(genome, genes) } -> std::same_as<typename P::Genome>;
 };
@@ -176,8 +171,7 @@ concept Differentiable = HasGenes<P> &&
 /// Whether derivatives of the fitness are known: the member `has_gradient()`, or else Differentiable.
 template <class P>
 bool has_gradient(const P& problem) {
-    if constexpr (requires { problem.has_gradient(); })
-        return problem.has_gradient();
+    if constexpr (requires { problem.has_gradient(); }) return problem.has_gradient();
     return Differentiable<P>;
 }
 
@@ -306,8 +300,7 @@ concept CrossesUniformly = requires(const P& problem, typename P::Genome& genome
 
 /// Optional: the problem's cross-over at n points, for genomes that are not only sequences of genes.
 template <class P>
-concept CrossesAtPoints = requires(const P& problem, typename P::Genome& genome, std::size_t n,
-                                   Stream& stream) {
+concept CrossesAtPoints = requires(const P& problem, typename P::Genome& genome, std::size_t n, Stream& stream) {
     problem.cross_points(genome, genome, n, stream);
 };
 
@@ -345,12 +338,11 @@ constexpr bool is_function_member =
 /// are not checked.
 template <class P>
 constexpr bool members_fit() {
-#define GA_MEMBER_FITS(member, Concept)                                                                      \
-    if constexpr (requires { &P::member; })                                                                  \
-        if constexpr (is_function_member<decltype(&P::member)>)                                              \
-            static_assert(Concept<P>,                                                                        \
-                          "the problem's member '" #member "' has another signature than " #Concept          \
-                          " (ga/problem/problem.hpp) asks for");
+#define GA_MEMBER_FITS(member, Concept)                                                                                \
+    if constexpr (requires { &P::member; })                                                                            \
+        if constexpr (is_function_member<decltype(&P::member)>)                                                        \
+            static_assert(Concept<P>, "the problem's member '" #member "' has another signature than " #Concept        \
+                                      " (ga/problem/problem.hpp) asks for");
     GA_MEMBER_FITS(key, Keyed)
     GA_MEMBER_FITS(final_genome, HasFinalGenome)
     GA_MEMBER_FITS(valid, ValidatesGenomes)
@@ -370,9 +362,9 @@ constexpr bool members_fit() {
     GA_MEMBER_FITS(distance, Measured)
     GA_MEMBER_FITS(descriptors, Describing)
 #undef GA_MEMBER_FITS
-#define GA_MEMBER_CALLED(member, misspelt)                                                                   \
-    if constexpr (requires { &P::misspelt; })                                                                \
-        static_assert(!is_function_member<decltype(&P::misspelt)>,                                           \
+#define GA_MEMBER_CALLED(member, misspelt)                                                                             \
+    if constexpr (requires { &P::misspelt; })                                                                          \
+        static_assert(!is_function_member<decltype(&P::misspelt)>,                                                     \
                       "the problem's member '" #misspelt "' is not used; is it '" #member "'?");
     GA_MEMBER_CALLED(violation, violations)
     GA_MEMBER_CALLED(violation, constraint)
@@ -389,8 +381,7 @@ constexpr bool members_fit() {
 template <Problem P>
 bool is_valid(const P& problem, const typename P::Genome& genome) {
     if constexpr (std::same_as<typename P::Genome, Permutation>)
-        if (!genome.is_valid())
-            return false;
+        if (!genome.is_valid()) return false;
     if constexpr (ValidatesGenomes<P>)
         return problem.valid(genome);
     else if constexpr (Bounded<P> && std::same_as<typename P::Genome, std::vector<double>>)

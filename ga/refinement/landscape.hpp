@@ -42,7 +42,7 @@ struct Landscape {
 struct Method {
     std::string text;                                         ///< text of the method, e.g. "lm 30"
     std::function<Eigen::VectorXd(const Landscape&)> improve; ///< returns the best point found in the box
-    bool needs_gradient = false; ///< whether it needs the gradient of the fitness
+    bool needs_gradient = false;                              ///< whether it needs the gradient of the fitness
 };
 
 /// A method that works on residuals, from the problem's `sensitivity`.
@@ -56,8 +56,7 @@ auto method_of(V values) {
     M method;
     check_values(values, "refine " + V::words().name);
     method.text = text_of(values);
-    if constexpr (requires { values.needs_gradient(); })
-        method.needs_gradient = values.needs_gradient();
+    if constexpr (requires { values.needs_gradient(); }) method.needs_gradient = values.needs_gradient();
     method.improve = [values = std::move(values)](const Landscape& land) { return values.improve(land); };
     return method;
 }

@@ -22,20 +22,17 @@ std::optional<Step> step_from(const Eigen::VectorXd& x, const Sensitivity& at, c
     Eigen::MatrixXd jacobian = at.jacobian;
     Eigen::VectorXd slope = jacobian.transpose() * weights.cwiseProduct(at.residuals);
     Eigen::MatrixXd curvature;
-    if (!by_rows)
-        curvature = jacobian.transpose() * weights.asDiagonal() * jacobian;
+    if (!by_rows) curvature = jacobian.transpose() * weights.asDiagonal() * jacobian;
     Eigen::VectorXd diagonal =
         by_rows ? Eigen::VectorXd(jacobian.cwiseAbs2().transpose() * weights) : curvature.diagonal();
     const double largest = diagonal.maxCoeff();
     for (Eigen::Index i = 0; i < count; ++i)
         if ((x[i] <= land.lower[i] && slope[i] > 0) || (x[i] >= land.upper[i] && slope[i] < 0)) {
             jacobian.col(i).setZero();
-            if (!by_rows)
-                curvature.row(i).setZero(), curvature.col(i).setZero();
+            if (!by_rows) curvature.row(i).setZero(), curvature.col(i).setZero();
             slope[i] = diagonal[i] = 0;
         }
-    if (largest <= 0 || slope.cwiseAbs().maxCoeff() == 0)
-        return std::nullopt;
+    if (largest <= 0 || slope.cwiseAbs().maxCoeff() == 0) return std::nullopt;
     const Eigen::VectorXd damped = damping * diagonal.cwiseMax(1e-12 * largest);
     Eigen::VectorXd change;
     if (by_rows) { // (J^T W J + D)^-1 J^T W r = D^-1 J^T (W^-1 + J D^-1 J^T)^-1 r (Woodbury)
@@ -48,8 +45,7 @@ std::optional<Step> step_from(const Eigen::VectorXd& x, const Sensitivity& at, c
         change = curvature.ldlt().solve(slope);
     }
     const Eigen::VectorXd to = (x - change).cwiseMax(land.lower).cwiseMin(land.upper);
-    if (!to.allFinite() || to == x)
-        return std::nullopt;
+    if (!to.allFinite() || to == x) return std::nullopt;
     return Step{to, at.residuals + at.jacobian * (to - x)};
 }
 
@@ -57,8 +53,7 @@ std::optional<Step> step_from(const Eigen::VectorXd& x, const Sensitivity& at, c
 
 Eigen::VectorXd LevenbergMarquardt::improve(const Landscape& land) const {
     std::optional<Sensitivity> at = land.exhausted() ? std::nullopt : land.sensitivity(land.start);
-    if (!at)
-        return land.start;
+    if (!at) return land.start;
     const auto largest = [](const Eigen::VectorXd& r) { return r.cwiseAbs().maxCoeff(); };
     const auto merit = [&](const Sensitivity& there) {
         return sharpen > 0 ? -largest(there.residuals) : -there.residuals.squaredNorm();
@@ -75,11 +70,9 @@ Eigen::VectorXd LevenbergMarquardt::improve(const Landscape& land) const {
             weights = weights.cwiseProduct(last->left.cwiseAbs());
             weights = (weights / weights.maxCoeff()).cwiseMax(min_weight);
             last = step_from(x, *at, weights, damping, land);
-            if (last && largest(last->left) < largest(step->left))
-                step = last;
+            if (last && largest(last->left) < largest(step->left)) step = last;
         }
-        if (!step)
-            break;
+        if (!step) break;
         std::optional<Sensitivity> next = land.sensitivity(step->to);
         const double before = cost(at->residuals), after = next ? cost(next->residuals) : HUGE_VAL;
         if (after < before) {
@@ -90,8 +83,7 @@ Eigen::VectorXd LevenbergMarquardt::improve(const Landscape& land) const {
             x = step->to;
             at = std::move(next);
             best.offer(x, merit(*at));
-            if (before - after < 1e-14 * before)
-                break;
+            if (before - after < 1e-14 * before) break;
         } else {
             damping *= growth;
             growth *= 2;

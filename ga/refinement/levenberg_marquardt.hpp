@@ -19,9 +19,8 @@ struct LevenbergMarquardt {
     static Words words() { return {"lm", "refinement", "Levenberg-Marquardt on the residuals' squares"}; }
     static void describe(auto& self, auto visit) {
         visit(self.evaluations, evaluations_parameter().optional());
-        visit(
-            self.sharpen,
-            whole("sharpen", 0, "after this many, the largest residual counts; 0 for never").keyed().quiet());
+        visit(self.sharpen,
+              whole("sharpen", 0, "after this many, the largest residual counts; 0 for never").keyed().quiet());
     }
 
     /// The best point found (Method).

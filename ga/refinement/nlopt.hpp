@@ -35,9 +35,7 @@ struct Nlopt {
 };
 
 /// The refinement `nlopt NAME n`. Throws UsageError if the name is unknown or needs a second optimiser.
-inline Method nlopt_method(const std::string& name, int evaluations) {
-    return method_of(Nlopt{name, evaluations});
-}
+inline Method nlopt_method(const std::string& name, int evaluations) { return method_of(Nlopt{name, evaluations}); }
 
 /// A function of the residuals that a search maximises, with its derivatives.
 struct ResidualMerit {

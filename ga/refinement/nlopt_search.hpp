@@ -16,8 +16,7 @@ namespace ga {
 class NloptSearch {
   public:
     /// A search in the box with at most `evaluations` evaluations.
-    NloptSearch(nlopt::algorithm algorithm, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper,
-                int evaluations)
+    NloptSearch(nlopt::algorithm algorithm, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper, int evaluations)
         : search_(algorithm, static_cast<unsigned>(lower.size())) {
         search_.set_lower_bounds({lower.begin(), lower.end()});
         search_.set_upper_bounds({upper.begin(), upper.end()});
@@ -39,8 +38,7 @@ class NloptSearch {
         };
         search_.set_min_objective(
             [](unsigned n, const double* x, double* gradient, void* self) {
-                return static_cast<NloptSearch*>(self)->value_(Eigen::Map<const Eigen::VectorXd>(x, n),
-                                                               gradient);
+                return static_cast<NloptSearch*>(self)->value_(Eigen::Map<const Eigen::VectorXd>(x, n), gradient);
             },
             this);
     }
@@ -67,13 +65,11 @@ class NloptSearch {
         } catch (const std::runtime_error&) {
             // stopped, limited by rounding, or "nlopt failure": the points seen until then still count
         } catch (const std::invalid_argument& error) {
-            throw UsageError(
-                std::string("refine nlopt ") +
-                nlopt_algorithm_to_string(static_cast<nlopt_algorithm>(search_.get_algorithm())) + ": " +
-                error.what() + "; use another algorithm, or finite bounds");
+            throw UsageError(std::string("refine nlopt ") +
+                             nlopt_algorithm_to_string(static_cast<nlopt_algorithm>(search_.get_algorithm())) + ": " +
+                             error.what() + "; use another algorithm, or finite bounds");
         }
-        if (error_)
-            std::rethrow_exception(error_);
+        if (error_) std::rethrow_exception(error_);
     }
 
   private:

@@ -20,28 +20,25 @@ class Search {
 
     /// Prepares a search. `moving` are the genes that move, `limit` is the maximum price of requests. The
     /// problem, the queue, the watch and the individual must outlive the search.
-    Search(const P& problem, EvaluationQueue<P>& queue, const Watch& watch,
-           const Individual<Genome>& individual, std::vector<Variable> moving, double limit)
-        : problem_(problem), queue_(queue), watch_(watch), individual_(individual),
-          moving_(std::move(moving)), limit_(limit), genes_(genes_of(problem, individual.genome)) {
+    Search(const P& problem, EvaluationQueue<P>& queue, const Watch& watch, const Individual<Genome>& individual,
+           std::vector<Variable> moving, double limit)
+        : problem_(problem), queue_(queue), watch_(watch), individual_(individual), moving_(std::move(moving)),
+          limit_(limit), genes_(genes_of(problem, individual.genome)) {
         for (const Variable& variable : moving_) {
             if (variable.gene >= genes_.size())
                 throw UsageError("refine: gene " + std::to_string(variable.gene) +
-                                 " may move but does not exist; name one below " +
-                                 std::to_string(genes_.size()));
+                                 " may move but does not exist; name one below " + std::to_string(genes_.size()));
             places_.push_back(static_cast<Eigen::Index>(variable.gene));
         }
         const auto& objectives = problem.objectives();
         for (std::size_t i = 0; i < objectives.size(); ++i)
-            if (objectives[i].name == individual.fitness.objective())
-                objective_ = i;
+            if (objectives[i].name == individual.fitness.objective()) objective_ = i;
     }
 
     /// The genome to which the method moved the individual; none if it did not move it.
     std::optional<Genome> by(const Method& method, std::uint64_t seed) {
         const auto n = static_cast<Eigen::Index>(moving_.size());
-        if (n == 0)
-            return std::nullopt;
+        if (n == 0) return std::nullopt;
         Landscape land;
         land.seed = seed;
         land.start.resize(n), land.lower.resize(n), land.upper.resize(n);
@@ -65,10 +62,8 @@ class Search {
                 }
                 return std::pair(seen_fitness_.known() ? seen_fitness_.merit() : -HUGE_VAL, violations_);
             };
-        if (has_gradient(problem_))
-            land.gradient = [this](const Eigen::VectorXd& x) { return gradient(x); };
-        if constexpr (Sensitive<P>)
-            land.sensitivity = [this](const Eigen::VectorXd& x) { return sensitivity(x); };
+        if (has_gradient(problem_)) land.gradient = [this](const Eigen::VectorXd& x) { return gradient(x); };
+        if constexpr (Sensitive<P>) land.sensitivity = [this](const Eigen::VectorXd& x) { return sensitivity(x); };
         const Eigen::VectorXd x = method.improve(land);
         return x == land.start ? std::nullopt : std::optional(at(x));
     }
@@ -94,8 +89,7 @@ class Search {
     }
     /// Makes a request of this price. It stays unanswered if the run has to stop or the limit is reached.
     void ask(EvaluationRequest<P>& request, double price) {
-        if (stopped_ || spent_ + price > limit_)
-            return;
+        if (stopped_ || spent_ + price > limit_) return;
         spent_ += price;
         try {
             queue_.serve(request);
@@ -108,18 +102,15 @@ class Search {
     Fitness fitness(const Eigen::VectorXd& x) {
         Fitness found;
         violations_.resize(0);
-        if (!x.allFinite())
-            return found;
+        if (!x.allFinite()) return found;
         const Genome genome = at(x);
         EvaluationRequest<P> request;
         request.outcomes.push_back({&genome, true, 0, objective().level});
         request.use = [&] {
             const auto& wanted = request.outcomes.front();
-            if (!wanted.is_answered())
-                return;
+            if (!wanted.is_answered()) return;
             found = fitness_of(problem_, *wanted.answer, objective(), individual_.fitness.objective_name());
-            if (found.has_failed())
-                return request.fail(found, 1);
+            if (found.has_failed()) return request.fail(found, 1);
             if constexpr (Constrained<P>) {
                 auto each = violations_of(problem_, std::get<typename P::Outcome>(*wanted.answer));
                 violations_ = as_vector(each);
@@ -134,22 +125,18 @@ class Search {
                        objective().level, of_residuals};
         EvaluationRequest<P> request;
         request.slopes.push_back(&slope);
-        if (x.allFinite())
-            ask(request, price_of(problem_, objective().level).gradient);
-        if (slope.failure && !missing_derivative_)
-            missing_derivative_ = slope.failure;
+        if (x.allFinite()) ask(request, price_of(problem_, objective().level).gradient);
+        if (slope.failure && !missing_derivative_) missing_derivative_ = slope.failure;
         return slope;
     }
     Eigen::VectorXd gradient(const Eigen::VectorXd& x) {
         Slope<P> found = slope(x, false);
-        if (found.gradient.empty())
-            return {};
+        if (found.gradient.empty()) return {};
         return (objective().minimise ? -1.0 : 1.0) * as_vector(found.gradient)(places_);
     }
     std::optional<Sensitivity> sensitivity(const Eigen::VectorXd& x) {
         const Slope<P> found = slope(x, true);
-        if (!found.sensitivity)
-            return std::nullopt;
+        if (!found.sensitivity) return std::nullopt;
         const Sensitivity& all = *found.sensitivity;
         return Sensitivity{all.residuals, all.jacobian(Eigen::all, places_)};
     }
@@ -187,9 +174,8 @@ struct Refine : Operator {
     void check(CheckState& known) const {
         known.need_one_objective(text());
         if (method.needs_gradient && !known.has_gradient)
-            throw UsageError(
-                "stage '" + text() +
-                "' needs the problem's gradient; use a method without one, e.g. nlopt LN_COBYLA");
+            throw UsageError("stage '" + text() +
+                             "' needs the problem's gradient; use a method without one, e.g. nlopt LN_COBYLA");
     }
 
     template <class P>
@@ -198,8 +184,7 @@ struct Refine : Operator {
         using G = typename P::Genome;
         std::vector<Individual<G>*> jobs;
         for (auto& individual : population)
-            if (!individual.fitness.has_failed())
-                jobs.push_back(&individual);
+            if (!individual.fitness.has_failed()) jobs.push_back(&individual);
         std::vector<std::vector<Variable>> genes(jobs.size());
         std::vector<Work> work(jobs.size());
         parallel_for(jobs.size(), context.threads(), [&](std::size_t i) {
@@ -213,10 +198,8 @@ struct Refine : Operator {
         context.charge(work);
         // One evaluation is reserved for each result. The rest of the budget is divided before any search.
         const auto count = static_cast<double>(jobs.size());
-        const std::size_t which =
-            jobs.empty() ? 0 : context.objective_index(jobs.front()->fitness.objective());
-        const double price =
-            price_of(context.problem(), context.problem().objectives()[which].level).evaluation;
+        const std::size_t which = jobs.empty() ? 0 : context.objective_index(jobs.front()->fitness.objective());
+        const double price = price_of(context.problem(), context.problem().objectives()[which].level).evaluation;
         const double left = std::floor(context.ledger().left_after(count * price));
         if (left <= 0) {
             context.state.stopped_population = population;
@@ -232,14 +215,12 @@ struct Refine : Operator {
             found[i] = search.by(method, context.stream(i)());
             missing[i] = search.missing_derivative();
         });
-        if (const auto first =
-                std::ranges::find_if(missing, [](const Reason& why) { return why != nullptr; });
+        if (const auto first = std::ranges::find_if(missing, [](const Reason& why) { return why != nullptr; });
             first != missing.end() && !context.watch().expired())
             context.note_missing_derivative(**first);
         Population<G> answers;
         for (std::size_t i = 0; i < jobs.size(); ++i) {
-            if (!jobs[i]->origin)
-                jobs[i]->origin = std::make_shared<const G>(jobs[i]->genome);
+            if (!jobs[i]->origin) jobs[i]->origin = std::make_shared<const G>(jobs[i]->genome);
             answers.push_back(*jobs[i]);
             if (found[i]) {
                 answers.back().genome = std::move(*found[i]);
@@ -248,14 +229,12 @@ struct Refine : Operator {
         }
         std::optional<Stopped> stop;
         try {
-            if (!answers.empty())
-                context.score(answers, jobs.front()->fitness.objective(), StopMode::after_request);
+            if (!answers.empty()) context.score(answers, jobs.front()->fitness.objective(), StopMode::after_request);
         } catch (const Stopped& stopped) {
             stop = stopped;
         }
         // An interrupted search is not a result of this stage; the best point so far is kept.
-        if (!stop && context.watch().expired())
-            stop = Stopped{context.watch().reason()};
+        if (!stop && context.watch().expired()) stop = Stopped{context.watch().reason()};
         for (std::size_t i = 0; i < jobs.size(); ++i)
             if (answers[i].fitness.known() && better(answers[i].fitness, jobs[i]->fitness))
                 *jobs[i] = std::move(answers[i]);
@@ -274,8 +253,6 @@ requires std::derived_from<M, Method> Refine<M, Variables<G>> refine(M method, V
 }
 /// The stage `refine method` for all genes; each moves between the problem's bounds.
 template <class M>
-requires std::derived_from<M, Method> Refine<M, EveryGene> refine(M method) {
-    return {{}, std::move(method), {}};
-}
+requires std::derived_from<M, Method> Refine<M, EveryGene> refine(M method) { return {{}, std::move(method), {}}; }
 
 } // namespace ga

@@ -21,8 +21,7 @@ struct Elite : Operator {
         const std::size_t n = population.size();
         std::vector<double> worth = merits(population, start);
         for (std::size_t i = 0; i < std::min(k, start.size()); ++i) {
-            if (std::ranges::count(population, start[i].identity, &Individual<typename P::Genome>::identity))
-                continue;
+            if (std::ranges::count(population, start[i].identity, &Individual<typename P::Genome>::identity)) continue;
             const auto worst = std::ranges::min_element(std::span(worth).first(n));
             if (*worst < worth[n + i]) {
                 *worst = worth[n + i];
@@ -39,9 +38,7 @@ struct Elite : Operator {
 struct Plus : Operator {
     std::size_t mu = 0;         ///< number of individuals that stay; 0 for the size of the generation's start
     std::string copies = "any"; ///< whether genomes may be equal: any or none
-    static Words words() {
-        return {"plus", "replacement", "the mu best of the generation's start and its children"};
-    }
+    static Words words() { return {"plus", "replacement", "the mu best of the generation's start and its children"}; }
     static void describe(auto& self, auto visit) {
         visit(self.mu, whole("mu", 0, "how many; 0 for as many as at the start").quiet());
         visit(self.copies, word("copies", "any, or none: keeps different genomes").keyed().quiet());
@@ -58,8 +55,7 @@ struct Plus : Operator {
         const auto& start = context.generation_start();
         const std::size_t n = mu > 0 ? mu : start.size();
         population = joined_with(start, std::move(population));
-        if (copies == "any")
-            return best_of(population, n);
+        if (copies == "any") return best_of(population, n);
         const auto left = take_copies(population, context.problem());
         population = best_of(population, n);
         std::ranges::move(best_of(left, n - population.size()), std::back_inserter(population));
@@ -72,22 +68,18 @@ struct Plus : Operator {
 /// better ones.
 struct Distinct : Operator {
     double distance = 0; ///< distance, 0 or more; see ga::distance
-    static Words words() {
-        return {"distinct", "selection", "removes individuals that equal an earlier one"};
-    }
+    static Words words() { return {"distinct", "selection", "removes individuals that equal an earlier one"}; }
     static void describe(auto& self, auto visit) {
-        visit(self.distance,
-              number("distance", 0, no_limit,
-                     "removes those this near, too: rms of genes in widths, or share that differs")
-                  .quiet());
+        visit(self.distance, number("distance", 0, no_limit,
+                                    "removes those this near, too: rms of genes in widths, or share that differs")
+                                 .quiet());
     }
     void check(CheckState&) const {}
 
     template <Problem P>
     PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context) const {
         take_copies(population, context.problem());
-        if (distance == 0)
-            return population;
+        if (distance == 0) return population;
         if constexpr (HasDistance<P>) {
             PopulationOf<P> left;
             for (auto& each : population)
@@ -97,8 +89,7 @@ struct Distinct : Operator {
                     left.push_back(std::move(each));
             return left;
         } else {
-            throw UsageError("stage '" + text_of(*this) + "' needs a distance; use a problem that has " +
-                             no_distance);
+            throw UsageError("stage '" + text_of(*this) + "' needs a distance; use a problem that has " + no_distance);
         }
     }
 };
@@ -106,14 +97,12 @@ struct Distinct : Operator {
 /// Adds the individuals of the generation's start, so that the next stages choose among both populations.
 struct JoinParents : Operator {
     static Words words() {
-        return {"parents", "replacement",
-                "adds the generation's start, so that the next stages choose among all"};
+        return {"parents", "replacement", "adds the generation's start, so that the next stages choose among all"};
     }
     std::size_t reads_of_start() const { return all_individuals; }
     void check(CheckState& known) const {
         known.need_generation(text_of(*this));
-        if (known.scored != known.start_scored)
-            known.scored.reset();
+        if (known.scored != known.start_scored) known.scored.reset();
     }
 
     template <Problem P>
@@ -144,9 +133,7 @@ struct Steady : Operator {
 
 ///@{ The operators as stages.
 inline Elite elite(std::size_t k) { return checked(Elite{{}, k}); }
-inline Plus plus(std::size_t mu = 0, std::string copies = "any") {
-    return checked(Plus{{}, mu, std::move(copies)});
-}
+inline Plus plus(std::size_t mu = 0, std::string copies = "any") { return checked(Plus{{}, mu, std::move(copies)}); }
 inline Distinct distinct(double distance = 0) { return checked(Distinct{{}, distance}); }
 inline JoinParents parents() { return {}; }
 inline Steady steady() { return {}; }

@@ -48,11 +48,9 @@ Evaluation<typename P::Outcome> evaluated(const P& problem, const typename P::Ge
                                           std::uint64_t replicate = 0, Level level = {}) {
     try {
         if constexpr (Levelled<P>)
-            if (level != Level{})
-                return problem.evaluate(genome, level);
+            if (level != Level{}) return problem.evaluate(genome, level);
         if constexpr (Noisy<P>)
-            if (replicate > 0)
-                return problem.evaluate(genome, replicate);
+            if (replicate > 0) return problem.evaluate(genome, replicate);
         return problem.evaluate(genome);
     } catch (const Stopped& stop) {
         return Pending{.why = reason(stop.reason)};
@@ -72,9 +70,9 @@ void differentiate(const P& problem, Slope<P>& slope) {
                 const auto& j = found.jacobian;
                 const auto genes = static_cast<std::ptrdiff_t>(genes_of(problem, slope.genome).size());
                 if (r.size() == 0 || j.rows() != r.size() || j.cols() != genes)
-                    slope.failure = reason("a matrix of " + std::to_string(j.rows()) + " x " +
-                                           std::to_string(j.cols()) + " for " + std::to_string(r.size()) +
-                                           " residuals of " + std::to_string(genes) + " genes");
+                    slope.failure =
+                        reason("a matrix of " + std::to_string(j.rows()) + " x " + std::to_string(j.cols()) + " for " +
+                               std::to_string(r.size()) + " residuals of " + std::to_string(genes) + " genes");
                 else if (!r.allFinite() || !j.allFinite())
                     slope.failure = reason("a residual or derivative is not finite");
                 else
@@ -85,8 +83,8 @@ void differentiate(const P& problem, Slope<P>& slope) {
                 auto found = problem.gradient(slope.genome, slope.objective.text());
                 const std::size_t genes = genes_of(problem, slope.genome).size();
                 if (found.size() != genes)
-                    slope.failure = reason(std::to_string(found.size()) + " derivatives for " +
-                                           std::to_string(genes) + " genes");
+                    slope.failure =
+                        reason(std::to_string(found.size()) + " derivatives for " + std::to_string(genes) + " genes");
                 else if (!std::ranges::all_of(found, [](double each) { return std::isfinite(each); }))
                     slope.failure = reason("a derivative is not finite");
                 else
@@ -110,8 +108,7 @@ class Evaluator {
     virtual void outcomes(const P& problem, std::span<EvaluationCall<P>> calls, const Watch& watch) = 0;
     /// Answers requests for derivatives.
     virtual void slopes(const P& problem, std::span<Slope<P>* const> slopes, const Watch&) {
-        for (Slope<P>* slope : slopes)
-            differentiate(problem, *slope);
+        for (Slope<P>* slope : slopes) differentiate(problem, *slope);
     }
     virtual int threads() const { return 1; } ///< number of threads for work other than evaluations
 };
@@ -126,8 +123,7 @@ class OnThreads : public Evaluator<P> {
 
     void outcomes(const P& problem, std::span<EvaluationCall<P>> calls, const Watch& watch) override {
         const auto make = [&](const EvaluationCall<P>& call) {
-            if (!watch.expired())
-                *call.answer = evaluated(problem, *call.genome, call.replicate, call.level);
+            if (!watch.expired()) *call.answer = evaluated(problem, *call.genome, call.replicate, call.level);
         };
         const auto n = static_cast<double>(calls.size());
         const double limit = std::max(5e-3, 2 * n * one_call_); // s, for calls by this thread alone
@@ -136,13 +132,11 @@ class OnThreads : public Evaluator<P> {
         const Stopwatch clock;
         if (threads_ == 1 || (n * one_call_ < long_batch && (by_one_ <= by_all_) != tries_other))
             while (alone < calls.size() &&
-                   (threads_ == 1 || (alone % 16 != 0 && !std::has_single_bit(alone)) ||
-                    clock.seconds() <= limit))
+                   (threads_ == 1 || (alone % 16 != 0 && !std::has_single_bit(alone)) || clock.seconds() <= limit))
                 make(calls[alone++]);
         if (alone > 0) {
             one_call_ = clock.seconds() / static_cast<double>(alone);
-            if (alone == calls.size())
-                add(by_one_, one_call_);
+            if (alone == calls.size()) add(by_one_, one_call_);
         }
         const auto others = calls.subspan(alone);
         const double in_five_us = std::clamp(5e-6 / one_call_, 1.0, 1 + n / (8 * threads_));
@@ -151,12 +145,10 @@ class OnThreads : public Evaluator<P> {
             [&](std::size_t i) {
                 const Stopwatch one;
                 make(others[i]);
-                if (i == 0)
-                    one_call_ = one.seconds();
+                if (i == 0) one_call_ = one.seconds();
             },
             static_cast<std::size_t>(in_five_us));
-        if (alone == 0 && !others.empty())
-            add(by_all_, clock.seconds() / n);
+        if (alone == 0 && !others.empty()) add(by_all_, clock.seconds() / n);
     }
     void slopes(const P& problem, std::span<Slope<P>* const> slopes, const Watch&) override {
         parallel_for(slopes.size(), threads_, [&](std::size_t i) { differentiate(problem, *slopes[i]); });

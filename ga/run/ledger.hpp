@@ -17,13 +17,10 @@ class Table {
     }
     /// The value of a fingerprint, added if it is missing.
     Value& at(const Fingerprint& print) {
-        if (size_ == room_)
-            grow();
+        if (size_ == room_) grow();
         const std::size_t slot = slot_of(print);
-        if (marks_[slot] != 0)
-            return entry(numbers_[slot]).value;
-        if (size_ == per_block * blocks_.size())
-            blocks_.push_back(std::make_unique<Entry[]>(per_block));
+        if (marks_[slot] != 0) return entry(numbers_[slot]).value;
+        if (size_ == per_block * blocks_.size()) blocks_.push_back(std::make_unique<Entry[]>(per_block));
         marks_[slot] = mark(print);
         numbers_[slot] = static_cast<std::uint32_t>(size_);
         Entry& added = entry(size_++);
@@ -33,8 +30,7 @@ class Table {
     }
     /// Tells the processor to fetch the slot of a fingerprint that will soon be looked up.
     void prefetch(const Fingerprint& print) const {
-        if (!marks_.empty())
-            __builtin_prefetch(&marks_[print.low & mask()]);
+        if (!marks_.empty()) __builtin_prefetch(&marks_[print.low & mask()]);
     }
     std::size_t size() const { return size_; } ///< number of entries
     /// Removes all entries. Their blocks are kept and filled again.
@@ -61,8 +57,7 @@ class Table {
     /// The slot of a fingerprint, or the free slot for it.
     std::size_t slot_of(const Fingerprint& print) const {
         for (std::size_t i = print.low & mask();; i = (i + 1) & mask())
-            if (marks_[i] == 0 || (marks_[i] == mark(print) && entry(numbers_[i]).print == print))
-                return i;
+            if (marks_[i] == 0 || (marks_[i] == mark(print) && entry(numbers_[i]).print == print)) return i;
     }
     /// Makes four times as many slots, of which at most half are used.
     void grow() {
@@ -106,8 +101,7 @@ class Memory {
     /// The place of a genome's evaluation. It stays valid until `forget_old`.
     Evaluation<Outcome>& at(const Fingerprint& print) {
         Evaluation<Outcome>* known = old.find(print);
-        if (!known || std::holds_alternative<Pending>(*known))
-            return young.at(print);
+        if (!known || std::holds_alternative<Pending>(*known)) return young.at(print);
         Evaluation<Outcome>& place = young.at(print);
         if (std::holds_alternative<Pending>(place)) {
             place = *known;
@@ -118,15 +112,13 @@ class Memory {
     /// The evaluation, or null if it is not in memory.
     const Evaluation<Outcome>* find(const Fingerprint& print) {
         for (auto* half : {&young, &old})
-            if (const auto* found = half->find(print); found && !std::holds_alternative<Pending>(*found))
-                return found;
+            if (const auto* found = half->find(print); found && !std::holds_alternative<Pending>(*found)) return found;
         return nullptr;
     }
     /// Forgets the old half if the young one is full. Call it between batches.
     /// @param bytes_each  size of one evaluation
     void forget_old(std::size_t bytes_each) {
-        if (young.size() * bytes_each <= half_ && young.size() < room_)
-            return;
+        if (young.size() * bytes_each <= half_ && young.size() < room_) return;
         constexpr std::size_t max_entries = std::size_t{1} << 31; // a slot's number has 32 bits
         const bool saves = 1024 * std::exchange(read_in_old_, 0) >= young.size();
         room_ = std::clamp(saves ? 2 * room_ : room_ / 2, first_room, max_entries);
@@ -189,8 +181,7 @@ struct EvaluationRequest {
 
     /// Records that an individual failed, for which `count` counted evaluations were requested.
     void fail(const Fitness& fitness, long count) {
-        if (failures == 0)
-            first_failure = fitness.reason();
+        if (failures == 0) first_failure = fitness.reason();
         failures += count;
     }
 };
@@ -207,8 +198,7 @@ class EvaluationQueue {
     void serve(EvaluationRequest<P>& request) {
         EvaluationRequest<P>* const one[] = {&request};
         serve(std::span<EvaluationRequest<P>* const>(one));
-        if (request.error)
-            std::rethrow_exception(std::exchange(request.error, nullptr));
+        if (request.error) std::rethrow_exception(std::exchange(request.error, nullptr));
     }
 };
 
@@ -229,18 +219,15 @@ class Ledger : public EvaluationQueue<P> {
     void serve(std::span<EvaluationRequest<P>* const> requests) override {
         calls_.clear();
         slopes_.clear();
-        for (EvaluationRequest<P>* request : requests)
-            look_up(*request);
-        evaluate(std::ranges::any_of(
-            requests, [](const auto* each) { return each->stop_mode == StopMode::after_request; }));
+        for (EvaluationRequest<P>* request : requests) look_up(*request);
+        evaluate(
+            std::ranges::any_of(requests, [](const auto* each) { return each->stop_mode == StopMode::after_request; }));
         const bool cut_short = book();
-        for (EvaluationRequest<P>* request : requests)
-            answer(*request, cut_short);
+        for (EvaluationRequest<P>* request : requests) answer(*request, cut_short);
         if (const long made = made_of_requested();
             made >= 200 && static_cast<double>(counters.failures) > budget_.max_failures * double(made))
             for (EvaluationRequest<P>* request : requests)
-                if (!request->error)
-                    request->error = std::make_exception_ptr(Stopped{failure_text(), true});
+                if (!request->error) request->error = std::make_exception_ptr(Stopped{failure_text(), true});
     }
 
     /// The budget left after this further price, in evaluations of level 0; 0 or less if it is spent.
@@ -284,8 +271,7 @@ class Ledger : public EvaluationQueue<P> {
     }
 
   private:
-    static constexpr std::size_t bookkeeping =
-        sizeof(Evaluation<Outcome>) + sizeof(Fingerprint) + 5 * sizeof(void*);
+    static constexpr std::size_t bookkeeping = sizeof(Evaluation<Outcome>) + sizeof(Fingerprint) + 5 * sizeof(void*);
 
     /// Number of requested evaluations without derivatives.
     long made_of_requested() const { return counters.requested - counters.gradients; }
@@ -306,12 +292,10 @@ class Ledger : public EvaluationQueue<P> {
         counters.requested_price += request.work;
         counters.price += request.work;
         for (auto& wanted : request.outcomes) {
-            if (wanted.counts && !pay(price_of(problem_, wanted.level).evaluation))
-                break;
+            if (wanted.counts && !pay(price_of(problem_, wanted.level).evaluation)) break;
             wanted.print = identify(problem_, *wanted.genome);
             if (wanted.replicate > 0)
-                wanted.print = {fold(wanted.print.high, wanted.replicate),
-                                fold(wanted.print.low, wanted.replicate)};
+                wanted.print = {fold(wanted.print.high, wanted.replicate), fold(wanted.print.low, wanted.replicate)};
             if (wanted.level != Level{}) {
                 const auto level = ~static_cast<std::uint64_t>(wanted.level); // no number of a replicate
                 wanted.print = {fold(wanted.print.high, level), fold(wanted.print.low, level)};
@@ -333,8 +317,7 @@ class Ledger : public EvaluationQueue<P> {
         }
         for (Slope<P>* slope : request.slopes) {
             const double price = price_of(problem_, slope->level).gradient;
-            if (!pay(price))
-                break;
+            if (!pay(price)) break;
             ++counters.gradients;
             counters.price += price;
             slopes_.push_back(slope);
@@ -344,10 +327,8 @@ class Ledger : public EvaluationQueue<P> {
     void evaluate(bool to_the_end) {
         static const Budget endless;
         static const Watch never(endless);
-        if (!calls_.empty())
-            evaluator_.outcomes(problem_, calls_, to_the_end ? never : watch_);
-        if (!slopes_.empty())
-            evaluator_.slopes(problem_, slopes_, watch_);
+        if (!calls_.empty()) evaluator_.outcomes(problem_, calls_, to_the_end ? never : watch_);
+        if (!slopes_.empty()) evaluator_.slopes(problem_, slopes_, watch_);
     }
 
     /// Counts the evaluations that were made and resets pending ones; true if any is pending.
@@ -355,8 +336,7 @@ class Ledger : public EvaluationQueue<P> {
         bool interrupted = false;
         for (const EvaluationCall<P>& call : calls_)
             if (Pending* pending = std::get_if<Pending>(call.answer)) {
-                if (pending->why && !stop_reason_)
-                    stop_reason_ = *pending->why;
+                if (pending->why && !stop_reason_) stop_reason_ = *pending->why;
                 *pending = Pending{};
                 interrupted = true;
             } else {
@@ -370,24 +350,19 @@ class Ledger : public EvaluationQueue<P> {
                               return wanted.answer && !wanted.is_answered();
                           });
         try {
-            if (request.use)
-                request.use();
-            if (open)
-                throw Stopped{stop_reason_.value_or(watch_.reason())};
-            if (request.spent)
-                throw Stopped{"evaluation budget spent"};
+            if (request.use) request.use();
+            if (open) throw Stopped{stop_reason_.value_or(watch_.reason())};
+            if (request.spent) throw Stopped{"evaluation budget spent"};
         } catch (...) {
             request.error = std::current_exception();
         }
-        if (first_failure_.empty() && request.failures > 0)
-            first_failure_ = request.first_failure;
+        if (first_failure_.empty() && request.failures > 0) first_failure_ = request.first_failure;
         counters.failures += request.failures;
     }
 
     bool take_prepaid(const Fingerprint& print, Evaluation<Outcome>& place, Level level) {
         Evaluation<Outcome>* paid = prepaid_.size() > 0 ? prepaid_.find(print) : nullptr;
-        if (!paid || std::holds_alternative<Pending>(*paid))
-            return false;
+        if (!paid || std::holds_alternative<Pending>(*paid)) return false;
         place = std::exchange(*paid, Pending{});
         count(place, level);
         return true;
@@ -424,14 +399,12 @@ class Ledger : public EvaluationQueue<P> {
 template <Problem P>
 Fitness fitness_of(const P& problem, const Evaluation<typename P::Outcome>& evaluation,
                    const Objective<typename P::Outcome>& objective, Name name) {
-    if (const Reason* why = std::get_if<Reason>(&evaluation))
-        return Fitness::failed(name, *why);
+    if (const Reason* why = std::get_if<Reason>(&evaluation)) return Fitness::failed(name, *why);
     const auto& outcome = std::get<typename P::Outcome>(evaluation);
     try {
         const double value = objective.fitness(outcome);
         if (!std::isfinite(value))
-            return Fitness::failed(name,
-                                   reason("fitness " + objective.name + " is " + std::to_string(value)));
+            return Fitness::failed(name, reason("fitness " + objective.name + " is " + std::to_string(value)));
         const Fitness fitness(name, value, objective.minimise);
         if constexpr (!Constrained<P>) {
             return fitness;

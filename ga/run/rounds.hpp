@@ -24,8 +24,7 @@ class Rounds {
     template <class Job>
     static void run(std::size_t n, EvaluationQueue<P>& through, int threads, Job job,
                     const std::function<void()>& after = {}) {
-        if (n == 1)
-            return job(std::size_t{0}, through);
+        if (n == 1) return job(std::size_t{0}, through);
         std::exception_ptr first;
         const std::size_t at_once = room();
         for (std::size_t from = 0; from < n; from += at_once) {
@@ -38,8 +37,7 @@ class Rounds {
                 first = first ? first : std::current_exception();
             }
         }
-        if (first)
-            std::rethrow_exception(first);
+        if (first) std::rethrow_exception(first);
     }
 
   private:
@@ -66,8 +64,7 @@ class Rounds {
     };
 
     Rounds(std::size_t n, int threads) : queues_(n), busy_(n), turns_(threads) {
-        for (JobQueue& queue : queues_)
-            queue.rounds = this;
+        for (JobQueue& queue : queues_) queue.rounds = this;
     }
 
     /// Marks one job as waiting or done.
@@ -75,8 +72,7 @@ class Rounds {
         const std::lock_guard lock(guard_);
         ++turns_;
         turn_is_free_.notify_one();
-        if (--busy_ == 0)
-            all_wait_.notify_one();
+        if (--busy_ == 0) all_wait_.notify_one();
     }
 
     /// Waits until one more job may run.
@@ -90,8 +86,7 @@ class Rounds {
     void go(std::size_t from, EvaluationQueue<P>& through, Job& job, const std::function<void()>& after) {
         std::vector<std::thread> threads;
         const std::size_t inside = std::max<std::size_t>(1, room() / queues_.size());
-        for (std::size_t i = 0; i < queues_.size(); ++i)
-            try {
+        for (std::size_t i = 0; i < queues_.size(); ++i) try {
                 threads.emplace_back([&, i] {
                     room() = inside;
                     take_turn();
@@ -114,11 +109,9 @@ class Rounds {
             }
         while (one_round(through, after)) {
         }
-        for (std::thread& thread : threads)
-            thread.join();
+        for (std::thread& thread : threads) thread.join();
         for (const JobQueue& queue : queues_)
-            if (queue.error)
-                std::rethrow_exception(queue.error);
+            if (queue.error) std::rethrow_exception(queue.error);
     }
 
     bool one_round(EvaluationQueue<P>& through, const std::function<void()>& after) {
@@ -131,22 +124,18 @@ class Rounds {
                 waiting.push_back(&queue);
                 all.insert(all.end(), queue.requests.begin(), queue.requests.end());
             }
-        if (waiting.empty())
-            return false;
+        if (waiting.empty()) return false;
         lock.unlock();
         try {
             through.serve(std::span<EvaluationRequest<P>* const>(all));
-            if (after)
-                after();
+            if (after) after();
         } catch (...) {
-            for (EvaluationRequest<P>* request : all)
-                request->error = std::current_exception();
+            for (EvaluationRequest<P>* request : all) request->error = std::current_exception();
         }
         lock.lock();
         busy_ = waiting.size();
         lock.unlock();
-        for (JobQueue* queue : waiting)
-            queue->answered.release();
+        for (JobQueue* queue : waiting) queue->answered.release();
         return true;
     }
 

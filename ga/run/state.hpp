@@ -31,8 +31,7 @@ class StagePosition {
         std::string path;
         for (const PathElement& element : path_) {
             path += (path.empty() ? "" : "/") + element.name.text();
-            if (element.ordinal > 0)
-                path += "." + std::to_string(element.ordinal);
+            if (element.ordinal > 0) path += "." + std::to_string(element.ordinal);
         }
         return path;
     }
@@ -40,8 +39,7 @@ class StagePosition {
     std::vector<std::size_t> generations() const {
         std::vector<std::size_t> generations;
         for (const PathElement& element : path_)
-            if (element.generation)
-                generations.push_back(*element.generation);
+            if (element.generation) generations.push_back(*element.generation);
         return generations;
     }
     /// The best individuals of the innermost generation's first population, as many as its stages read: five
@@ -74,15 +72,13 @@ class StagePosition {
             PathElement& element = position.path_.back();
             element.generation = number;
             element.inner = fold(element.key, number);
-            if (has_start_)
-                position.starts_.push_back(start);
+            if (has_start_) position.starts_.push_back(start);
         }
         Round(const Round&) = delete;
         ~Round() {
             position_.path_.back().generation.reset();
             position_.path_.back().inner = position_.path_.back().key;
-            if (has_start_)
-                position_.starts_.pop_back();
+            if (has_start_) position_.starts_.pop_back();
         }
 
       private:
@@ -117,11 +113,9 @@ class OperatorState {
     /// checkpoint stores another type.
     template <class S>
     S& as() {
-        if (S* known = std::any_cast<S>(&value_))
-            return *known;
+        if (S* known = std::any_cast<S>(&value_)) return *known;
         S made{};
-        if (const Stored* stored = std::any_cast<Stored>(&value_))
-            try {
+        if (const Stored* stored = std::any_cast<Stored>(&value_)) try {
                 from_json(**stored, made);
             } catch (const std::exception&) {
                 expect_fit(false);
@@ -150,8 +144,8 @@ void read_part(const Json& j, T& value) {
     if constexpr (std::integral<T> && !std::same_as<T, bool>) {
         expect_fit(j.is_number_integer());
         j.get_to(value);
-    } else if constexpr (requires { value.push_back(typename T::value_type()); } &&
-                         !std::same_as<T, std::string> && !std::same_as<T, Json>) {
+    } else if constexpr (requires { value.push_back(typename T::value_type()); } && !std::same_as<T, std::string> &&
+                         !std::same_as<T, Json>) {
         value.clear();
         for (const Json& part : j.template get_ref<const typename Json::array_t&>()) {
             typename T::value_type read;
@@ -236,10 +230,8 @@ class RunState : public Progress<G> {
 
     /// Adds a remark; after the first hundred they are only counted.
     void note(std::string text) {
-        if (notes.size() < max_notes)
-            return notes.push_back(std::move(text));
-        if (notes.size() == max_notes)
-            notes.emplace_back();
+        if (notes.size() < max_notes) return notes.push_back(std::move(text));
+        if (notes.size() == max_notes) notes.emplace_back();
         const std::string& last = notes.back(); // "and N more remarks", from which a resumed run reads N
         std::size_t more = 0;
         std::from_chars(last.data() + std::min<std::size_t>(4, last.size()), last.data() + last.size(), more);
@@ -256,20 +248,17 @@ class RunState : public Progress<G> {
             resumed_ = depth < run.saved.size();
             if (resumed_) {
                 run.frames.push_back(std::move(*std::next(run.saved.begin(), static_cast<long>(depth))));
-                if (depth + 1 == run.saved.size())
-                    run.saved.clear();
+                if (depth + 1 == run.saved.size()) run.saved.clear();
             } else {
                 run.frames.push_back({});
                 run.frames.back().population = std::move(population);
             }
             frame_ = &run.frames.back();
-            if (loops)
-                run.loops.push_back(frame_);
+            if (loops) run.loops.push_back(frame_);
         }
         OpenFrame(const OpenFrame&) = delete;
         ~OpenFrame() {
-            if (loops_)
-                run_.loops.pop_back();
+            if (loops_) run_.loops.pop_back();
             run_.frames.pop_back();
         }
         Frame<G>* operator->() { return frame_; } ///< the frame
@@ -302,8 +291,7 @@ class Checkpointer {
     /// Whether it is time to write the run, `seconds` after it began.
     virtual bool due(double seconds) const = 0;
     /// Writes the run. `answer` is given when the run is done.
-    virtual void write(const Taken& snapshot, const Ledger<P>& ledger,
-                       const Population<Genome>* answer = nullptr) = 0;
+    virtual void write(const Taken& snapshot, const Ledger<P>& ledger, const Population<Genome>* answer = nullptr) = 0;
     /// The writes that failed, in words; empty if all writes succeeded.
     virtual std::string trouble() const { return {}; }
 };

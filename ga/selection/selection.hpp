@@ -25,9 +25,7 @@ struct Best : Operator {
 struct Random : Operator {
     std::size_t n = 0; ///< number of individuals that stay; 0 for all
     static Words words() { return {"random", "selection", "keeps n at random, none twice, in random order"}; }
-    static void describe(auto& self, auto visit) {
-        visit(self.n, whole("n", 0, "how many; 0 for all").quiet());
-    }
+    static void describe(auto& self, auto visit) { visit(self.n, whole("n", 0, "how many; 0 for all").quiet()); }
     void check(CheckState&) const {}
 
     template <Problem P>
@@ -35,8 +33,7 @@ struct Random : Operator {
         Stream stream = context.stream(0);
         for (std::size_t i = 0; i + 1 < population.size(); ++i)
             std::swap(population[i], population[i + stream.below(population.size() - i)]);
-        if (n > 0 && n < population.size())
-            population.resize(n);
+        if (n > 0 && n < population.size()) population.resize(n);
         return population;
     }
 };
@@ -49,9 +46,7 @@ struct Tournament : Operator {
     std::size_t k = 2;        ///< number of individuals drawn for each place, >= 1
     std::size_t size = 0;     ///< number of places; 0 for the population's size
     std::string draw = "any"; ///< whether `any` may be drawn, or `each` equally often
-    static Words words() {
-        return {"tournament", "selection", "each place goes to the best of k drawn at random"};
-    }
+    static Words words() { return {"tournament", "selection", "each place goes to the best of k drawn at random"}; }
     static void describe(auto& self, auto visit) {
         visit(self.k, whole("k", 1, "how many are drawn"));
         visit(self.size, whole("size", 0, "places; 0 for as many as there are").keyed().quiet());
@@ -65,18 +60,15 @@ struct Tournament : Operator {
 
     template <Problem P>
     PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context) const {
-        if (population.empty())
-            return population;
+        if (population.empty()) return population;
         context.need_room(size, population);
         const std::vector<double> worth = merits(population);
         const Below any(population.size());
         const bool each = draw == "each";
         Permutation list; // with `each`, the individuals that still have to compete
         const auto drawn = [&](Stream& stream) -> std::size_t {
-            if (!each)
-                return any(stream);
-            if (list.order.empty())
-                list = Permutation::random(population.size(), stream);
+            if (!each) return any(stream);
+            if (list.order.empty()) list = Permutation::random(population.size(), stream);
             const std::size_t last = list.order.back();
             list.order.pop_back();
             return last;
@@ -87,8 +79,7 @@ struct Tournament : Operator {
             Stream stream = std::exchange(next, context.stream(i + 1));
             std::size_t winner = drawn(stream);
             for (std::size_t draws = 1; draws < k; ++draws)
-                if (const std::size_t rival = drawn(stream); worth[rival] > worth[winner])
-                    winner = rival;
+                if (const std::size_t rival = drawn(stream); worth[rival] > worth[winner]) winner = rival;
             winners[i] = winner;
         }
         return context.gather(std::move(population), winners);
@@ -102,27 +93,24 @@ struct AtLeast {
 
 /// The individuals above a threshold (below it if `upwards` is false), or the nearest ones; see Threshold.
 template <Problem P, class G = typename P::Genome>
-[[gnu::noinline]] Population<G> passing(const Population<G>& population, double threshold, AtLeast least,
-                                        bool upwards, Context<P>& context) {
+[[gnu::noinline]] Population<G> passing(const Population<G>& population, double threshold, AtLeast least, bool upwards,
+                                        Context<P>& context) {
     Population<G> passed;
     for (const auto& individual : population)
         if (const Fitness& f = individual.fitness;
             f.feasible() && (upwards ? f.value() > threshold : f.value() < threshold))
             passed.push_back(individual);
-    if (passed.size() >= std::max<std::size_t>(1, least.count))
-        return passed;
+    if (passed.size() >= std::max<std::size_t>(1, least.count)) return passed;
     const std::string counted = std::to_string(passed.size()) + " of " + std::to_string(population.size()) +
                                 (upwards ? " above " : " below ") + number(threshold);
     const auto distance = [&](std::size_t i) { // to passing
         const Fitness& f = population[i].fitness;
         return std::pair(f.violation(), upwards ? -f.value() : f.value());
     };
-    auto nearest =
-        in_order(population.size(), [&](std::size_t a, std::size_t b) { return distance(a) < distance(b); });
+    auto nearest = in_order(population.size(), [&](std::size_t a, std::size_t b) { return distance(a) < distance(b); });
     std::erase_if(nearest, [&](std::size_t i) { return population[i].fitness.has_failed(); });
     nearest.resize(std::min(least.count, nearest.size()));
-    if (nearest.empty())
-        context.end_with(population, counted + "; change the bound, or give at_least=K");
+    if (nearest.empty()) context.end_with(population, counted + "; change the bound, or give at_least=K");
     context.note(counted + "; took the " + std::to_string(nearest.size()) + (upwards ? " best" : " lowest"));
     std::sort(nearest.begin(), nearest.end());
     return individuals_at(nearest, population);
@@ -137,8 +125,7 @@ struct Threshold : Operator {
     double threshold = 0; ///< fitness; an individual with exactly this fitness does not pass
     AtLeast least;        ///< minimum number of individuals that stay
     static Words words() {
-        if (upwards)
-            return {"above", "selection", "keeps those whose fitness is above the threshold"};
+        if (upwards) return {"above", "selection", "keeps those whose fitness is above the threshold"};
         return {"below", "selection", "keeps those whose fitness is below the threshold"};
     }
     static void describe(auto& self, auto visit) {
@@ -178,8 +165,7 @@ struct ByFitness : NoParameters {
         const double best = *std::max_element(weights.begin(), weights.end());
         double worst = best;
         for (const double weight : weights)
-            if (weight > -HUGE_VAL)
-                worst = std::min(worst, weight);
+            if (weight > -HUGE_VAL) worst = std::min(worst, weight);
         for (double& weight : weights)
             weight = !(best > -HUGE_VAL)   ? 1
                      : weight == -HUGE_VAL ? 0
@@ -193,17 +179,13 @@ struct ByFitness : NoParameters {
 /// Roulette: each place is filled by a separate random number (spin).
 struct Roulette : ByFitness {
     static constexpr bool one_spin = false; ///< whether one spin fills all places
-    static Words words() {
-        return {"roulette", "selection", "chooses in proportion to the fitness above the worst"};
-    }
+    static Words words() { return {"roulette", "selection", "chooses in proportion to the fitness above the worst"}; }
 };
 /// Stochastic universal sampling (Baker 1987): equally spaced marks on one spin fill all places. Every
 /// individual gets its expected number of places, rounded up or down.
 struct Universal : ByFitness {
     static constexpr bool one_spin = true; ///< whether one spin fills all places
-    static Words words() {
-        return {"sus", "selection", "like roulette, by equally spaced marks on one spin"};
-    }
+    static Words words() { return {"sus", "selection", "like roulette, by equally spaced marks on one spin"}; }
 };
 
 /// Linear ranking (Baker 1985). The best individual has the weight `pressure`, and the worst has 2 -
@@ -222,11 +204,9 @@ struct ByRank {
         const double last = static_cast<double>(order.size()) - 1;
         std::vector<double> weights(order.size(), 1);
         for (std::size_t first = 0, end; first < order.size() && last > 0; first = end) {
-            for (end = first + 1; end < order.size() && worth[order[end]] == worth[order[first]];)
-                ++end;
+            for (end = first + 1; end < order.size() && worth[order[end]] == worth[order[first]];) ++end;
             const double place = static_cast<double>(first + end - 1) / 2; // ties share their places
-            for (std::size_t i = first; i < end; ++i)
-                weights[order[i]] = pressure - 2 * (pressure - 1) * place / last;
+            for (std::size_t i = first; i < end; ++i) weights[order[i]] = pressure - 2 * (pressure - 1) * place / last;
         }
         return weights;
     }
@@ -252,8 +232,7 @@ struct Proportional : Operator {
     }
     PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context) const {
         const std::size_t n = population.size();
-        if (population.empty())
-            return population;
+        if (population.empty()) return population;
         std::vector<double> ends = weights.of(population, context.problem());
         std::partial_sum(ends.begin(), ends.end(), ends.begin());
         Stream spin = context.stream(n);
@@ -267,8 +246,7 @@ struct Proportional : Operator {
         }
         // One spin puts copies of an individual side by side. Shuffled, they do not always mate with each
         // other.
-        for (std::size_t i = n; Weights::one_spin && i > 1; --i)
-            std::swap(places[i - 1], places[spin.below(i)]);
+        for (std::size_t i = n; Weights::one_spin && i > 1; --i) std::swap(places[i - 1], places[spin.below(i)]);
         return context.gather(std::move(population), places);
     }
 };
@@ -288,9 +266,7 @@ inline Threshold<false> below(double threshold, AtLeast least = {}) {
 }
 inline Proportional<Roulette> roulette() { return {}; }
 inline Proportional<Universal> sus() { return {}; }
-inline Proportional<ByRank> rank(double pressure = 1.5) {
-    return checked(Proportional<ByRank>{{}, ByRank{pressure}});
-}
+inline Proportional<ByRank> rank(double pressure = 1.5) { return checked(Proportional<ByRank>{{}, ByRank{pressure}}); }
 ///@}
 
 } // namespace ga

@@ -42,9 +42,8 @@ struct Rule {
 /// The rule for one type of genome.
 template <class G, class R>
 requires std::derived_from<R, StoppingRule> Rule<G> rule_of(R rule) {
-    return {text_of(rule),
-            [rule](const CheckState& known, const std::string& stage) { rule.check(known, stage); }, rule,
-            R::sure};
+    return {text_of(rule), [rule](const CheckState& known, const std::string& stage) { rule.check(known, stage); },
+            rule, R::sure};
 }
 
 /// Whether the population is better than in all earlier generations of the block. Under one objective the
@@ -55,20 +54,16 @@ requires std::derived_from<R, StoppingRule> Rule<G> rule_of(R rule) {
 /// improved.
 template <class G>
 bool improves(const BlockProgress<G>& now, Numbers& memory) {
-    if (memory.empty())
-        memory = {HUGE_VAL, -HUGE_VAL, 0};
+    if (memory.empty()) memory = {HUGE_VAL, -HUGE_VAL, 0};
     double violation = HUGE_VAL, worth = -HUGE_VAL;
     std::vector<Point> points;
     for (const auto& individual : now.population) {
         const Fitness& fitness = individual.fitness;
-        if (!fitness.known())
-            return false;
+        if (!fitness.known()) return false;
         const double excess = fitness.violation();
         const double merit = fitness.several() || excess > 0 ? -HUGE_VAL : fitness.merit();
-        if (std::pair(excess, -merit) < std::pair(violation, -worth))
-            violation = excess, worth = merit;
-        if (fitness.several() && excess == 0)
-            points.push_back(fitness.values());
+        if (std::pair(excess, -merit) < std::pair(violation, -worth)) violation = excess, worth = merit;
+        if (fitness.several() && excess == 0) points.push_back(fitness.values());
     }
     if (!points.empty()) {
         const std::size_t m = points.front().size();
@@ -92,8 +87,7 @@ bool improves(const BlockProgress<G>& now, Numbers& memory) {
         const Point from(reference.begin(), reference.end()), widths(width.begin(), width.end());
         worth = m < 4 ? hypervolume(std::move(points), from) : dominated_share(points, from, widths);
     }
-    if (!(std::pair(violation, -worth) < std::pair(memory[0], -memory[1])))
-        return false;
+    if (!(std::pair(violation, -worth) < std::pair(memory[0], -memory[1]))) return false;
     memory[0] = violation;
     memory[1] = worth;
     memory[2] = static_cast<double>(now.generation);
@@ -173,9 +167,7 @@ struct AtStagnation : StoppingRule {
     std::size_t n = 1; ///< >= 1
 
     static constexpr bool sure = true;
-    static Words words() {
-        return {"stagnation", "stopping", "this number of generations brought no improvement"};
-    }
+    static Words words() { return {"stagnation", "stopping", "this number of generations brought no improvement"}; }
     static void describe(auto& self, auto visit) { visit(self.n, count_of(words())); }
     void check(const CheckState& known, const std::string& stage) const { known.need_score(stage); }
 
@@ -200,16 +192,13 @@ struct AtConvergence : StoppingRule {
         Point lowest, highest;
         for (const auto& individual : now.population) {
             const Fitness& fitness = individual.fitness;
-            if (!fitness.known() || !fitness.feasible())
-                return false;
+            if (!fitness.known() || !fitness.feasible()) return false;
             const Point values = fitness.several() ? fitness.values() : Point{fitness.merit()};
-            if (lowest.empty())
-                lowest = highest = values;
+            if (lowest.empty()) lowest = highest = values;
             for (std::size_t k = 0; k < values.size(); ++k) {
                 lowest[k] = std::min(lowest[k], values[k]);
                 highest[k] = std::max(highest[k], values[k]);
-                if (highest[k] - lowest[k] > max_difference)
-                    return false;
+                if (highest[k] - lowest[k] > max_difference) return false;
             }
         }
         return true;
@@ -221,19 +210,18 @@ struct AtConvergence : StoppingRule {
 /// `seconds` cannot be repeated bit for bit.
 struct Until {
     std::optional<std::size_t> generations = std::nullopt; ///< number of completed generations
-    std::optional<long> evaluations = std::nullopt; ///< number of requested evaluations since the block began
-    std::optional<double> seconds = std::nullopt;   ///< time since the block began, s
-    std::optional<double> fitness = std::nullopt;   ///< fitness that the best individual reaches
-    std::optional<std::size_t> stagnation = std::nullopt; ///< number of generations without an improvement
-    std::optional<double> converged = std::nullopt;       ///< largest difference of best and worst
+    std::optional<long> evaluations = std::nullopt;        ///< number of requested evaluations since the block began
+    std::optional<double> seconds = std::nullopt;          ///< time since the block began, s
+    std::optional<double> fitness = std::nullopt;          ///< fitness that the best individual reaches
+    std::optional<std::size_t> stagnation = std::nullopt;  ///< number of generations without an improvement
+    std::optional<double> converged = std::nullopt;        ///< largest difference of best and worst
 
     /// The rules that were given.
     template <class G>
     std::vector<Rule<G>> rules() const {
         std::vector<Rule<G>> all;
         const auto add = [&](const auto& value, auto rule) {
-            if (value)
-                all.push_back(rule_of<G>(rule));
+            if (value) all.push_back(rule_of<G>(rule));
         };
         add(generations, AfterGenerations{{}, generations.value_or(1)});
         add(evaluations, AfterEvaluations{{}, evaluations.value_or(1)});

@@ -14,13 +14,13 @@
 #define GA_PIPELINES_HERE(P) GA_PIPELINES_OF(template, P)
 
 /// @cond
-#define GA_PIPELINES_OF(instantiate, P)                                                                      \
-    instantiate ga::Registry<P> ga::vocabulary<P>();                                                         \
-    instantiate class ga::Parser<P>;                                                                         \
-    instantiate ga::Result<P::Genome> ga::run(const ga::Pipeline<P>&, const P&, ga::Population<P::Genome>,   \
-                                              const ga::RunOptions&, std::vector<ga::Observer<P::Genome>>,   \
-                                              ga::Checkpointer<P>*);                                         \
-    instantiate ga::Result<P::Genome> ga::run_by(                                                            \
-        ga::Evaluator<P>&, const ga::Pipeline<P>&, const P&, ga::Population<P::Genome>,                      \
-        const ga::RunOptions&, std::vector<ga::Observer<P::Genome>>, ga::Checkpointer<P>*);
+#define GA_PIPELINES_OF(instantiate, P)                                                                                \
+    instantiate ga::Registry<P> ga::vocabulary<P>();                                                                   \
+    instantiate class ga::Parser<P>;                                                                                   \
+    instantiate ga::Result<P::Genome> ga::run(const ga::Pipeline<P>&, const P&, ga::Population<P::Genome>,             \
+                                              const ga::RunOptions&, std::vector<ga::Observer<P::Genome>>,             \
+                                              ga::Checkpointer<P>*);                                                   \
+    instantiate ga::Result<P::Genome> ga::run_by(ga::Evaluator<P>&, const ga::Pipeline<P>&, const P&,                  \
+                                                 ga::Population<P::Genome>, const ga::RunOptions&,                     \
+                                                 std::vector<ga::Observer<P::Genome>>, ga::Checkpointer<P>*);
 /// @endcond

@@ -26,23 +26,17 @@ std::string listing(const Registry<P>& registry) {
         for (const auto& parameter : entry.parameters)
             line("      ", parameter.name,
                  parameter.expected() +
-                     (parameter.standard && !parameter.standard->empty()
-                          ? ", by default " + *parameter.standard
-                          : "") +
+                     (parameter.standard && !parameter.standard->empty() ? ", by default " + *parameter.standard : "") +
                      ": " + parameter.meaning);
-        if (!entry.lacks.empty())
-            line("      ", "", "not for this genome: it needs " + entry.lacks);
+        if (!entry.lacks.empty()) line("      ", "", "not for this genome: it needs " + entry.lacks);
     }
     line("  ", "pair(left, right, name)",
          "two pipelines on the same population; combines every left with every right individual");
     text += "\ncombinations, the names that pair takes\n";
-    for (const auto& [combine, meaning] : registry.combines())
-        line("  ", combine.name, meaning);
+    for (const auto& [combine, meaning] : registry.combines()) line("  ", combine.name, meaning);
     text += "\nchoices of genes, the names that refine takes for genes\n";
-    for (const auto& [variables, meaning] : registry.variables())
-        line("  ", variables.name, meaning);
-    if constexpr (Bounded<P>)
-        line("  ", "all", "every gene within the problem's bounds");
+    for (const auto& [variables, meaning] : registry.variables()) line("  ", variables.name, meaning);
+    if constexpr (Bounded<P>) line("  ", "all", "every gene within the problem's bounds");
     return text;
 }
 

@@ -24,14 +24,12 @@ std::size_t edits(const std::string& a, const std::string& b) {
 }
 
 std::string suggestion(const std::string& given, const std::vector<std::string>& names) {
-    const auto nearest =
-        std::ranges::min_element(names, {}, [&](const auto& name) { return edits(given, name); });
+    const auto nearest = std::ranges::min_element(names, {}, [&](const auto& name) { return edits(given, name); });
     const auto root = std::ranges::find_if(names, [&](const auto& name) { // crossover: cross
         const auto shorter = std::min(given.size(), name.size());
         return shorter >= 4 && given.compare(0, shorter, name, 0, shorter) == 0;
     });
-    if (root != names.end() && edits(given, *nearest) > 1)
-        return "; did you mean '" + *root + "'?";
+    if (root != names.end() && edits(given, *nearest) > 1) return "; did you mean '" + *root + "'?";
     if (nearest != names.end() && edits(given, *nearest) <= std::max<std::size_t>(1, given.size() / 3))
         return "; did you mean '" + *nearest + "'?";
     return names.empty() ? "; define one first" : "; use one of " + boost::algorithm::join(names, ", ");

@@ -94,16 +94,13 @@ class Parser {
 
     [[gnu::cold]] Pipeline<P> make(const PipelineText& stages, const std::string& where) {
         Pipeline<P> pipeline;
-        for (const StageText& stage : stages)
-            pipeline.append(make(stage, where));
+        for (const StageText& stage : stages) pipeline.append(make(stage, where));
         return pipeline;
     }
 
     [[gnu::cold]] Pipeline<P> make(const StageText& text, const std::string& where) {
-        if (variants_.count(text.name))
-            return expanded(text, where);
-        if (text.name == "pair")
-            return located(paired(text, where), text, where);
+        if (variants_.count(text.name)) return expanded(text, where);
+        if (text.name == "pair") return located(paired(text, where), text, where);
         StageText stage = text;
         const auto& entry = *operator_of(stage, where);
         const std::string name = entry.name;
@@ -111,15 +108,12 @@ class Parser {
             throw TextError(where, text.column,
                             "stage '" + name + "' cannot work here; use a problem that has " + entry.lacks);
         if (stage.bodies.size() != entry.bodies)
-            throw TextError(
-                where, text.column,
-                "stage '" + name +
-                    (entry.bodies == 0 ? "' takes no { ... }; remove it" : "' lacks its { ... }; add it"));
+            throw TextError(where, text.column,
+                            "stage '" + name +
+                                (entry.bodies == 0 ? "' takes no { ... }; remove it" : "' lacks its { ... }; add it"));
         std::vector<Pipeline<P>> bodies;
-        for (const auto& body : stage.bodies)
-            bodies.push_back(make(body, where));
-        if (entry.pairs_of_words)
-            key_words(entry, stage, where);
+        for (const auto& body : stage.bodies) bodies.push_back(make(body, where));
+        if (entry.pairs_of_words) key_words(entry, stage, where);
         const Arguments arguments(entry.parameters, stage.arguments, name, text.column, where);
         try {
             return located(entry.make(arguments, bodies, registry_), text, where);
@@ -131,12 +125,10 @@ class Parser {
     }
 
     /// The operator that a stage names. The name of a family's member is removed from the arguments.
-    [[gnu::cold]] const typename Registry<P>::Entry* operator_of(StageText& stage,
-                                                                 const std::string& where) const {
+    [[gnu::cold]] const typename Registry<P>::Entry* operator_of(StageText& stage, const std::string& where) const {
         const std::vector<std::string> members = registry_.members(stage.name);
         const auto* alone = registry_.find(stage.name);
-        if (members.empty() && alone)
-            return alone;
+        if (members.empty() && alone) return alone;
         if (members.empty())
             throw TextError(where, stage.column,
                             "unknown stage '" + stage.name + "'" +
@@ -144,16 +136,13 @@ class Parser {
         const auto word = std::ranges::find_if(stage.arguments, [](const auto& argument) {
             return argument.key.empty() && !Arguments::parsed(argument.value);
         });
-        if (word == stage.arguments.end() && alone)
-            return alone;
+        if (word == stage.arguments.end() && alone) return alone;
         if (word == stage.arguments.end())
-            throw TextError(where, stage.column,
-                            "stage '" + stage.name + "' lacks its kind" + suggestion("", members));
+            throw TextError(where, stage.column, "stage '" + stage.name + "' lacks its kind" + suggestion("", members));
         const auto* member = registry_.find(stage.name + " " + word->value);
         if (!member)
             throw TextError(where, word->column,
-                            "unknown " + stage.name + " '" + word->value + "'" +
-                                suggestion(word->value, members));
+                            "unknown " + stage.name + " '" + word->value + "'" + suggestion(word->value, members));
         stage.arguments.erase(word);
         return member;
     }
@@ -162,17 +151,15 @@ class Parser {
     [[gnu::cold]] static void key_words(const typename Registry<P>::Entry& entry, StageText& stage,
                                         const std::string& where) {
         for (auto argument = stage.arguments.begin(); argument != stage.arguments.end(); ++argument) {
-            if (!argument->key.empty())
-                continue;
+            if (!argument->key.empty()) continue;
             argument->key = argument->value; // Arguments will refuse an unknown one
             const auto parameter = std::ranges::find(entry.parameters, argument->key, &Parameter::name);
-            if (parameter == entry.parameters.end())
-                continue;
+            if (parameter == entry.parameters.end()) continue;
             const auto value = argument + 1;
             if (value == stage.arguments.end() || !value->key.empty())
                 throw TextError(where, argument->column,
-                                "stage '" + entry.name + "': '" + parameter->name +
-                                    "' lacks its value; give " + parameter->expected());
+                                "stage '" + entry.name + "': '" + parameter->name + "' lacks its value; give " +
+                                    parameter->expected());
             argument->value = value->value;
             stage.arguments.erase(value);
         }
@@ -186,20 +173,16 @@ class Parser {
                 return Pipeline<P>(pair(make(text.bodies[0], where), make(text.bodies[1], where), combine));
             names.push_back(combine.name);
         }
-        throw TextError(where, name.column,
-                        "unknown combination '" + name.value + "'" + suggestion(name.value, names));
+        throw TextError(where, name.column, "unknown combination '" + name.value + "'" + suggestion(name.value, names));
     }
 
     [[gnu::cold]] Pipeline<P> expanded(const StageText& text, const std::string& where) {
         if (!text.arguments.empty() || !text.bodies.empty())
-            throw TextError(where, text.column,
-                            "variant '" + text.name + "' takes no arguments; remove them");
+            throw TextError(where, text.column, "variant '" + text.name + "' takes no arguments; remove them");
         if (std::ranges::count(open_, text.name) > 0) {
             std::string cycle;
-            for (const auto& name : open_)
-                cycle += name + " -> ";
-            throw TextError(where, text.column,
-                            "variants contain each other: " + cycle + text.name + "; remove one");
+            for (const auto& name : open_) cycle += name + " -> ";
+            throw TextError(where, text.column, "variants contain each other: " + cycle + text.name + "; remove one");
         }
         return named(text.name);
     }
@@ -214,8 +197,7 @@ class Parser {
 
     /// The names, followed by those of the variants.
     [[gnu::cold]] std::vector<std::string> with_variants(std::vector<std::string> names) const {
-        for (const auto& [name, text] : variants_)
-            names.push_back(name);
+        for (const auto& [name, text] : variants_) names.push_back(name);
         return names;
     }
 

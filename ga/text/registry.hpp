@@ -37,8 +37,7 @@ class Arguments {
     template <class T>
     [[gnu::cold]] void fill(T& described) const {
         put(bound_parameters(described));
-        if constexpr (requires { described.validate(); })
-            described.validate();
+        if constexpr (requires { described.validate(); }) described.validate();
     }
     /// Throws the error for the value of a parameter, with its column.
     [[noreturn]] void refuse(const std::string& name, const std::string& message) const;
@@ -104,8 +103,7 @@ class Registry {
     std::vector<Rule<Genome>> rules(const Arguments& arguments) const {
         std::vector<Rule<Genome>> found;
         for (const auto& [name, make] : rules_)
-            if (arguments.has(name))
-                found.push_back(make(arguments));
+            if (arguments.has(name)) found.push_back(make(arguments));
         return found;
     }
     /// Adds an operator without arguments: add("reduce dominant", "domain", "...", transform(...)).
@@ -147,8 +145,7 @@ class Registry {
     std::vector<std::string> members(const std::string& family) const {
         std::vector<std::string> members;
         for (const auto& entry : entries_)
-            if (entry.name.starts_with(family + " "))
-                members.push_back(entry.name.substr(family.size() + 1));
+            if (entry.name.starts_with(family + " ")) members.push_back(entry.name.substr(family.size() + 1));
         return members;
     }
 
@@ -164,8 +161,7 @@ class Registry {
         else
             make = +[](const Arguments& a, const Bodies& bodies, const Registry&) {
                 Op op;
-                if constexpr (is_block)
-                    op.body = bodies[0];
+                if constexpr (is_block) op.body = bodies[0];
                 a.fill(op);
                 return Pipeline<P>(std::move(op));
             };
@@ -180,8 +176,7 @@ class Registry {
                           }});
         for (auto& entry : entries_)
             if (entry.pairs_of_words)
-                for (const Parameter& parameter : parameters_of<R>())
-                    entry.parameters.push_back(parameter);
+                for (const Parameter& parameter : parameters_of<R>()) entry.parameters.push_back(parameter);
     }
 
     std::vector<Entry> entries_;

@@ -6,8 +6,7 @@ namespace {
 
 std::vector<std::string> names(const std::vector<Parameter>& parameters) {
     std::vector<std::string> names;
-    for (const auto& each : parameters)
-        names.push_back(each.name);
+    for (const auto& each : parameters) names.push_back(each.name);
     return names;
 }
 
@@ -21,14 +20,12 @@ Syntax::Syntax(std::string_view text, std::string where) : text_(text), where_(s
 
 PipelineText Syntax::read() {
     PipelineText pipeline = read_pipeline();
-    if (!token_.empty())
-        fail("unexpected " + quoted() + "; write | or end the text");
+    if (!token_.empty()) fail("unexpected " + quoted() + "; write | or end the text");
     return pipeline;
 }
 
 PipelineText Syntax::read_pipeline() {
-    if (++depth_ > 100)
-        fail("more than 100 pipelines inside each other; nest fewer");
+    if (++depth_ > 100) fail("more than 100 pipelines inside each other; nest fewer");
     PipelineText pipeline = {read_stage()};
     while (token_ == "|") {
         next();
@@ -73,8 +70,8 @@ StageText Syntax::read_stage() {
 
 bool Syntax::is_word() const {
     const auto first = token_.empty() ? ' ' : token_[0];
-    return (first >= '0' && first <= '9') || (first >= 'a' && first <= 'z') ||
-           (first >= 'A' && first <= 'Z') || static_cast<unsigned char>(first) >= 0x80 ||
+    return (first >= '0' && first <= '9') || (first >= 'a' && first <= 'z') || (first >= 'A' && first <= 'Z') ||
+           static_cast<unsigned char>(first) >= 0x80 ||
            std::string_view("+-._/@").find(first) != std::string_view::npos;
 }
 
@@ -83,29 +80,25 @@ std::string Syntax::quoted() const { return token_.empty() ? "end" : "'" + token
 void Syntax::fail(const std::string& message) const { throw TextError(where_, column_, message); }
 
 std::string Syntax::word(const std::string& what) {
-    if (!is_word())
-        fail("unexpected " + quoted() + "; give " + what);
+    if (!is_word()) fail("unexpected " + quoted() + "; give " + what);
     std::string word = token_;
     next();
     return word;
 }
 
 void Syntax::take(const std::string& symbol) {
-    if (token_ != symbol)
-        fail("unexpected " + quoted() + "; write " + symbol);
+    if (token_ != symbol) fail("unexpected " + quoted() + "; write " + symbol);
     next();
 }
 
 void Syntax::next() {
-    while (at_ < text_.size() && is_space(text_[at_]))
-        ++at_;
+    while (at_ < text_.size() && is_space(text_[at_])) ++at_;
     const std::size_t start = at_;
     column_ = start + 1;
     if (at_ < text_.size() && is_symbol(text_[at_]))
         ++at_;
     else
-        while (at_ < text_.size() && !is_space(text_[at_]) && !is_symbol(text_[at_]))
-            ++at_;
+        while (at_ < text_.size() && !is_space(text_[at_]) && !is_symbol(text_[at_])) ++at_;
     token_ = text_.substr(start, at_ - start);
 }
 
@@ -124,39 +117,33 @@ Arguments::Arguments(const std::vector<Parameter>& parameters, const std::vector
                                 : "stage '" + stage + "' has no '" + argument.key + "'" +
                                       suggestion(argument.key, names(parameters)));
         if (has(parameter->name) && parameter->kind != Parameter::Kind::words)
-            throw TextError(where_, argument.column,
-                            "'" + parameter->name + "' is given twice; give it once");
+            throw TextError(where_, argument.column, "'" + parameter->name + "' is given twice; give it once");
         const std::optional<double> value = parsed(argument.value);
         if (!parameter->is_text() && !(value && parameter->allows(*value)))
             throw TextError(where_, argument.column,
-                            "stage '" + stage + "': " + parameter->name + " is '" + argument.value +
-                                "'; give " + parameter->expected(value && *value > parameter->upper));
+                            "stage '" + stage + "': " + parameter->name + " is '" + argument.value + "'; give " +
+                                parameter->expected(value && *value > parameter->upper));
         values_[parameter->name].push_back(argument);
     }
     for (const auto& parameter : parameters) {
-        if (has(parameter.name))
-            continue;
+        if (has(parameter.name)) continue;
         if (!parameter.standard)
             throw TextError(where_, column,
-                            "stage '" + stage + "' lacks '" + parameter.name + "'; give " +
-                                parameter.expected());
-        if (!parameter.standard->empty())
-            values_[parameter.name] = {{"", *parameter.standard, column}};
+                            "stage '" + stage + "' lacks '" + parameter.name + "'; give " + parameter.expected());
+        if (!parameter.standard->empty()) values_[parameter.name] = {{"", *parameter.standard, column}};
     }
 }
 
 std::vector<std::string> Arguments::words(const std::string& name) const {
     std::vector<std::string> words;
-    for (const auto& argument : values_.at(name))
-        words.push_back(argument.value);
+    for (const auto& argument : values_.at(name)) words.push_back(argument.value);
     return words;
 }
 
 std::optional<double> Arguments::parsed(const std::string& text) {
     double value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size())
-        return std::nullopt;
+    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
     return value;
 }
 

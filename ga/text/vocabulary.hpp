@@ -10,21 +10,21 @@ namespace ga {
 template <Problem P>
 Registry<P> vocabulary() {
     Registry<P> registry;
-    registry.template add<Score, Average, Best, Threshold<true>, Threshold<false>, Tournament,
-                          Proportional<Roulette>, Proportional<Universal>, Proportional<ByRank>, Random,
-                          Distinct, Pareto, Front, HypervolumeSelection, ReferenceDirections>();
-    registry.template add<Cross<OnePoint>, Cross<Points>, Cross<Uniform>, Cross<Blend>,
-                          Cross<SimulatedBinary>, Cross<Order>, Cross<PartiallyMapped>,
-                          Cross<EdgeRecombination>, Mutate<Natural>, Mutate<Gaussian>, Mutate<UniformStep>,
-                          Mutate<Polynomial>, Mutate<Reset>, Mutate<Swap>, Mutate<Reverse>, Mutate<Insertion>,
-                          Mutate<OrOpt>, Sample, SampleEvenly<false>, SampleEvenly<true>>();
+    registry.template add<Score, Average, Best, Threshold<true>, Threshold<false>, Tournament, Proportional<Roulette>,
+                          Proportional<Universal>, Proportional<ByRank>, Random, Distinct, Pareto, Front,
+                          HypervolumeSelection, ReferenceDirections>();
+    registry
+        .template add<Cross<OnePoint>, Cross<Points>, Cross<Uniform>, Cross<Blend>, Cross<SimulatedBinary>,
+                      Cross<Order>, Cross<PartiallyMapped>, Cross<EdgeRecombination>, Mutate<Natural>, Mutate<Gaussian>,
+                      Mutate<UniformStep>, Mutate<Polynomial>, Mutate<Reset>, Mutate<Swap>, Mutate<Reverse>,
+                      Mutate<Insertion>, Mutate<OrOpt>, Sample, SampleEvenly<false>, SampleEvenly<true>>();
     registry.template add<Elite, Plus, JoinParents, Steady, Repeat<Pipeline<P>>>();
     registry.add({"until", "blocks", "generations until the first condition holds", {}, {}, 1, true},
                  [](const Arguments& a, const std::vector<Pipeline<P>>& bodies, const Registry<P>& r) {
                      return Pipeline<P>(until_stage<P>(bodies[0], r.rules(a)));
                  });
-    registry.template add_rule<AfterGenerations, AfterEvaluations, AfterSeconds, AtFitness, AtStagnation,
-                               AtConvergence>();
+    registry
+        .template add_rule<AfterGenerations, AfterEvaluations, AfterSeconds, AtFitness, AtStagnation, AtConvergence>();
     registry.template add<Restarts<Pipeline<P>>, Islands<Pipeline<P>>>();
     return registry;
 }

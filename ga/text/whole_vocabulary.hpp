@@ -11,13 +11,11 @@ template <Problem P, class M>
 Pipeline<P> refined(M method, const Arguments& a, const Registry<P>& registry) {
     std::vector<std::string> names;
     for (const auto& [variables, meaning] : registry.variables()) {
-        if (variables.name == a.word("genes"))
-            return Pipeline<P>(refine(std::move(method), variables));
+        if (variables.name == a.word("genes")) return Pipeline<P>(refine(std::move(method), variables));
         names.push_back(variables.name);
     }
     if constexpr (Bounded<P>) {
-        if (a.word("genes") == EveryGene().name)
-            return Pipeline<P>(refine(std::move(method)));
+        if (a.word("genes") == EveryGene().name) return Pipeline<P>(refine(std::move(method)));
         names.push_back(EveryGene().name);
     }
     a.refuse("genes", "unknown genes '" + a.word("genes") + "'" + suggestion(a.word("genes"), names));
@@ -58,8 +56,8 @@ Registry<P> with_refinement(Registry<P> registry) {
 template <Problem P>
 Registry<P> whole_vocabulary() {
     Registry<P> registry = with_refinement(vocabulary<P>());
-    registry.template add<CmaEs, DifferentialEvolution, LShade, SelfAdaptive, Duel, Epsilon,
-                          Proportional<Sharing>, Clearing, Crowding, MapElites, Emit>();
+    registry.template add<CmaEs, DifferentialEvolution, LShade, SelfAdaptive, Duel, Epsilon, Proportional<Sharing>,
+                          Clearing, Crowding, MapElites, Emit>();
     return registry;
 }
 

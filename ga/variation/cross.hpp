@@ -37,8 +37,7 @@ struct Cross : Operator {
         Stream next = context.stream(0); // computed ahead, while the processor waits for the previous one
         for (std::size_t i = 0; i + 1 < population.size(); i += 2) {
             Stream stream = std::exchange(next, context.stream(i + 2));
-            if (rate < 1 && !stream.chance(rate))
-                continue;
+            if (rate < 1 && !stream.chance(rate)) continue;
             auto &a = population[i], &b = population[i + 1];
             method(context.problem(), a.genome, b.genome, stream);
             const Parents parents(a.identity, b.identity);
@@ -87,8 +86,7 @@ decltype(auto) variables_of(const P& problem, const typename P::Genome& genome) 
         return checked_bounds(problem, genome);
     } else {
         std::vector<Variable> all(genes_of(problem, genome).size());
-        for (std::size_t i = 0; i < all.size(); ++i)
-            all[i] = {i, -HUGE_VAL, HUGE_VAL};
+        for (std::size_t i = 0; i < all.size(); ++i) all[i] = {i, -HUGE_VAL, HUGE_VAL};
         return all;
     }
 }
@@ -97,23 +95,20 @@ decltype(auto) variables_of(const P& problem, const typename P::Genome& genome) 
 /// that both parents allow, widened to include the parents' genes. Choices are exchanged with probability
 /// 1/2.
 template <HasGenes P, class Cross>
-void cross_genes(const P& problem, typename P::Genome& a, typename P::Genome& b, Stream& stream,
-                 Cross cross) {
+void cross_genes(const P& problem, typename P::Genome& a, typename P::Genome& b, Stream& stream, Cross cross) {
     const auto& of_first = variables_of(problem, a);
     const auto& of_second = variables_of(problem, b);
     edit_genes(problem, a, [&](std::span<double> first) {
         edit_genes(problem, b, [&](std::span<double> second) {
             std::size_t other = 0;
             for (Variable variable : of_first) {
-                while (other < of_second.size() && of_second[other].gene < variable.gene)
-                    ++other;
-                if (variable.gene >= first.size() || variable.gene >= second.size() ||
-                    other == of_second.size() || of_second[other].gene != variable.gene)
+                while (other < of_second.size() && of_second[other].gene < variable.gene) ++other;
+                if (variable.gene >= first.size() || variable.gene >= second.size() || other == of_second.size() ||
+                    of_second[other].gene != variable.gene)
                     continue;
                 double &x = first[variable.gene], &y = second[variable.gene];
                 if (variable.is_choice) {
-                    if (stream.chance(0.5))
-                        std::swap(x, y);
+                    if (stream.chance(0.5)) std::swap(x, y);
                     continue;
                 }
                 variable.lower = std::min({std::max(variable.lower, of_second[other].lower), x, y});
@@ -129,24 +124,20 @@ void cross_genes(const P& problem, typename P::Genome& a, typename P::Genome& b,
 template <class Sequence>
 void exchange_at_points(Sequence& a, Sequence& b, std::size_t n, Stream& stream) {
     const std::size_t length = std::min<std::size_t>(a.size(), b.size());
-    if (length < 2)
-        return;
+    if (length < 2) return;
     const auto exchange = [&](std::size_t from, std::size_t to) {
         const auto first = static_cast<std::ptrdiff_t>(from), last = static_cast<std::ptrdiff_t>(to);
         std::swap_ranges(a.begin() + first, a.begin() + last, b.begin() + first);
     };
-    if (n == 1)
-        return exchange(1 + stream.below(length - 1), length);
+    if (n == 1) return exchange(1 + stream.below(length - 1), length);
     std::vector<std::size_t> cuts(length - 1);
     std::iota(cuts.begin(), cuts.end(), std::size_t{1});
     const std::size_t count = std::min(n, cuts.size());
-    for (std::size_t i = 0; i < count; ++i)
-        std::swap(cuts[i], cuts[i + stream.below(cuts.size() - i)]);
+    for (std::size_t i = 0; i < count; ++i) std::swap(cuts[i], cuts[i + stream.below(cuts.size() - i)]);
     cuts.resize(count);
     std::sort(cuts.begin(), cuts.end());
     cuts.push_back(length);
-    for (std::size_t i = 0; i + 1 < cuts.size(); i += 2)
-        exchange(cuts[i], cuts[i + 1]);
+    for (std::size_t i = 0; i + 1 < cuts.size(); i += 2) exchange(cuts[i], cuts[i + 1]);
 }
 
 /// n-point cross-over of genomes (Holland 1975; De Jong 1975) by exchange_at_points, or by the problem's
@@ -190,8 +181,7 @@ struct Uniform : NoParameters {
             const std::size_t length = std::min<std::size_t>(a.size(), b.size());
             std::uint64_t coins = 0;
             for (std::size_t i = 0; i < length; ++i, coins >>= 1) {
-                if (i % 64 == 0)
-                    coins = stream();
+                if (i % 64 == 0) coins = stream();
                 if (coins & 1) {
                     auto kept = a[i]; // elements of vector<bool> cannot be swapped by reference
                     a[i] = b[i];
@@ -214,41 +204,34 @@ struct KeepPiece : NoParameters {
     static constexpr const char* needs = "a permutation for a genome";
     static Words words() {
         if (mapped)
-            return {
-                "pmx", "cross-over",
-                "keeps a piece of one permutation and the other's positions elsewhere (partially mapped)"};
-        return {"order", "cross-over",
-                "keeps a piece of one permutation in place and the other's order elsewhere"};
+            return {"pmx", "cross-over",
+                    "keeps a piece of one permutation and the other's positions elsewhere (partially mapped)"};
+        return {"order", "cross-over", "keeps a piece of one permutation in place and the other's order elsewhere"};
     }
 
     template <Problem P>
     requires std::same_as<typename P::Genome, Permutation>
     void operator()(const P&, Permutation& a, Permutation& b, Stream& stream) const {
         const std::size_t n = a.size();
-        if (n != b.size() || n < 2)
-            return;
+        if (n != b.size() || n < 2) return;
         std::size_t from = stream.below(n), to = stream.below(n);
-        if (from > to)
-            std::swap(from, to);
+        if (from > to) std::swap(from, to);
         const Permutation first = child(a, b, from, to + 1);
         b = child(b, a, from, to + 1);
         a = first;
     }
 
   private:
-    static Permutation child(const Permutation& keeper, const Permutation& other, std::size_t from,
-                             std::size_t to) {
+    static Permutation child(const Permutation& keeper, const Permutation& other, std::size_t from, std::size_t to) {
         const std::size_t n = keeper.size();
         Permutation child = keeper;
         std::vector<std::size_t> kept(n, n); // positions of the piece's numbers
-        for (std::size_t i = from; i < to; ++i)
-            kept[keeper.order[i]] = i;
+        for (std::size_t i = from; i < to; ++i) kept[keeper.order[i]] = i;
         std::size_t place = to % n;
         for (std::size_t i = 0; i < n; ++i) {
             std::uint32_t next = other.order[(to + i) % n];
             if (mapped && i < n - (to - from)) {
-                while (kept[next] < n)
-                    next = other.order[kept[next]];
+                while (kept[next] < n) next = other.order[kept[next]];
             } else if (mapped || kept[next] < n) {
                 continue;
             }
@@ -268,15 +251,12 @@ using PartiallyMapped = KeepPiece<true>; ///< the method of `cross pmx`
 /// one parent. Permutations of unequal length stay as they are.
 struct EdgeRecombination : NoParameters {
     static constexpr const char* needs = Order::needs;
-    static Words words() {
-        return {"edge", "cross-over", "makes tours of edges of both tours (edge recombination)"};
-    }
+    static Words words() { return {"edge", "cross-over", "makes tours of edges of both tours (edge recombination)"}; }
 
     template <Problem P>
     requires std::same_as<typename P::Genome, Permutation>
     void operator()(const P&, Permutation& a, Permutation& b, Stream& stream) const {
-        if (a.size() != b.size() || a.size() < 2)
-            return;
+        if (a.size() != b.size() || a.size() < 2) return;
         const Permutation first = child(a, b, stream);
         b = child(b, a, stream);
         a = first;
@@ -293,8 +273,7 @@ struct EdgeRecombination : NoParameters {
         }
         std::vector<std::uint32_t> left = a.order; // numbers that the child lacks
         std::vector<std::size_t> places(n);        // positions there, n for a number that the child has
-        for (std::size_t i = 0; i < n; ++i)
-            places[left[i]] = i;
+        for (std::size_t i = 0; i < n; ++i) places[left[i]] = i;
         Permutation child;
         child.order.reserve(n);
         const auto append = [&](std::uint32_t number) {
@@ -308,19 +287,15 @@ struct EdgeRecombination : NoParameters {
             std::optional<std::uint32_t> chosen;
             std::size_t fewest = 0, ties = 0;
             for (const std::uint32_t each : neighbours[child.order.back()]) {
-                if (places[each] == n)
-                    continue;
+                if (places[each] == n) continue;
                 std::size_t count = 0; // number of its neighbours that are left; 0 for one in both parents
                 if (std::ranges::count(neighbours[child.order.back()], each) == 1)
-                    count =
-                        1 + static_cast<std::size_t>(std::ranges::count_if(
-                                neighbours[each], [&](std::uint32_t other) { return places[other] < n; }));
-                if (!chosen || count < fewest)
-                    ties = 0;
+                    count = 1 + static_cast<std::size_t>(std::ranges::count_if(
+                                    neighbours[each], [&](std::uint32_t other) { return places[other] < n; }));
+                if (!chosen || count < fewest) ties = 0;
                 if (!chosen || count <= fewest) {
                     fewest = count;
-                    if (stream.below(++ties) == 0)
-                        chosen = each;
+                    if (stream.below(++ties) == 0) chosen = each;
                 }
             }
             return chosen;
@@ -356,8 +331,7 @@ struct Blend {
         cross_genes(problem, a, b, stream, [&](double& x, double& y, const Variable& variable) {
             const double low = std::min(x, y), high = std::max(x, y), reach = alpha * (high - low);
             for (double* child : {&x, &y})
-                *child =
-                    std::clamp(stream.uniform(low - reach, high + reach), variable.lower, variable.upper);
+                *child = std::clamp(stream.uniform(low - reach, high + reach), variable.lower, variable.upper);
         });
     }
 };
@@ -379,8 +353,7 @@ struct SimulatedBinary {
     template <HasGenes P>
     void operator()(const P& problem, typename P::Genome& a, typename P::Genome& b, Stream& stream) const {
         cross_genes(problem, a, b, stream, [&](double& x, double& y, const Variable& variable) {
-            if (stream.chance(0.5))
-                cross(x, y, variable, stream);
+            if (stream.chance(0.5)) cross(x, y, variable, stream);
         });
     }
 
@@ -389,8 +362,7 @@ struct SimulatedBinary {
         const double low = std::min(x, y), high = std::max(x, y), distance = high - low;
         const double u = stream.uniform();
         const bool exchanged = stream.chance(0.5);
-        if (!(distance > 1e-14 * std::max(1.0, std::abs(low) + std::abs(high))))
-            return;
+        if (!(distance > 1e-14 * std::max(1.0, std::abs(low) + std::abs(high)))) return;
         // The density of the spread is cut at the bounds.
         const auto spread = [&](double room) {
             const double alpha = 2 - std::pow(1 + 2 * room / distance, -(eta + 1)); // 2 without a bound

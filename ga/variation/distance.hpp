@@ -9,8 +9,8 @@ namespace ga {
 /// A problem whose genomes have a distance. Either the problem defines it, or genomes consist of real genes,
 /// bits or whole numbers, or are permutations.
 template <class P>
-concept HasDistance = Measured<P> || HasGenes<P> || Discrete<typename P::Genome> ||
-    std::same_as<typename P::Genome, Permutation>;
+concept HasDistance =
+    Measured<P> || HasGenes<P> || Discrete<typename P::Genome> || std::same_as<typename P::Genome, Permutation>;
 
 /// The problem's `distance`, if it has one. For real genes it is the root mean square of the differences,
 /// each divided by the distance between the first genome's bounds. Different choices differ by 1. For
@@ -26,8 +26,7 @@ double distance(const P& problem, const typename P::Genome& a, const typename P:
         std::size_t count = longer - shorter;
         double sum = static_cast<double>(count);
         for (const Variable& v : variables_of(problem, a)) {
-            if (v.gene >= shorter || !(width(v) > 0))
-                continue;
+            if (v.gene >= shorter || !(width(v) > 0)) continue;
             const double apart = first[v.gene] - second[v.gene];
             const double step = v.is_choice ? (std::abs(apart) < 0.5 ? 0 : 1) : apart / width(v);
             sum += step * step;
@@ -36,9 +35,8 @@ double distance(const P& problem, const typename P::Genome& a, const typename P:
         return count > 0 ? std::sqrt(sum / static_cast<double>(count)) : 0;
     } else {
         const auto [shorter, longer] = std::minmax({a.size(), b.size()});
-        const std::size_t differ =
-            std::inner_product(a.begin(), a.begin() + static_cast<std::ptrdiff_t>(shorter), b.begin(),
-                               longer - shorter, std::plus(), std::not_equal_to());
+        const std::size_t differ = std::inner_product(a.begin(), a.begin() + static_cast<std::ptrdiff_t>(shorter),
+                                                      b.begin(), longer - shorter, std::plus(), std::not_equal_to());
         return longer > 0 ? static_cast<double>(differ) / static_cast<double>(longer) : 0;
     }
 }

@@ -11,8 +11,8 @@ namespace ga {
 ///     bool operator()(const P&, Genome&, const Chance&, Stream&) const;   true if a gene changed
 /// @endcode
 template <class Method, class P>
-concept Mutates = Problem<P> && requires(const Method& method, const P& problem, typename P::Genome& genome,
-                                         const Chance& chance, Stream& stream) {
+concept Mutates = Problem<P> &&
+    requires(const Method& method, const P& problem, typename P::Genome& genome, const Chance& chance, Stream& stream) {
     { method(problem, genome, chance, stream) } -> std::same_as<bool>;
 };
 
@@ -25,8 +25,7 @@ struct Mutate : Operator {
     static constexpr const char* needs = Method::needs;
     static Words words() {
         const Words of_method = Method::words();
-        return {"mutate" + (of_method.name.empty() ? "" : " " + of_method.name), "mutation",
-                of_method.meaning};
+        return {"mutate" + (of_method.name.empty() ? "" : " " + of_method.name), "mutation", of_method.meaning};
     }
     static void describe(auto& self, auto visit) {
         visit(self.rate, number("rate", std::nullopt, 0, 1, "a gene's chance to mutate"));
@@ -49,10 +48,8 @@ struct Mutate : Operator {
         for (std::size_t i = 0; i < population.size(); ++i) {
             auto& individual = population[i];
             Stream stream = std::exchange(next, context.stream(i + 1));
-            if (!method(context.problem(), individual.genome, chance, stream))
-                continue;
-            if (individual.fitness.known())
-                context.make_child(individual, Parents(individual.identity));
+            if (!method(context.problem(), individual.genome, chance, stream)) continue;
+            if (individual.fitness.known()) context.make_child(individual, Parents(individual.identity));
         }
         return population;
     }
@@ -61,8 +58,7 @@ struct Mutate : Operator {
 /// Another whole number between a choice's bounds, or the gene itself if it is the only one.
 inline double other_choice(double gene, const Variable& variable, Stream& stream) {
     const double lower = std::ceil(variable.lower), upper = std::floor(variable.upper);
-    if (!(upper > lower && upper - lower < 0x1p53))
-        return gene;
+    if (!(upper > lower && upper - lower < 0x1p53)) return gene;
     const double drawn = lower + static_cast<double>(stream.below(static_cast<std::size_t>(upper - lower)));
     return drawn + (drawn >= std::clamp(std::round(gene), lower, upper) ? 1 : 0);
 }
@@ -70,18 +66,15 @@ inline double other_choice(double gene, const Variable& variable, Stream& stream
 /// Replaces the real genes that `chance` picks by change(gene, variable), and choices by another one; true if
 /// a gene has changed.
 template <HasGenes P, class Change>
-bool mutate_genes(const P& problem, typename P::Genome& genome, const Chance& chance, Stream& stream,
-                  Change change) {
+bool mutate_genes(const P& problem, typename P::Genome& genome, const Chance& chance, Stream& stream, Change change) {
     bool changed = false;
     edit_genes(problem, genome, [&](std::span<double> genes) {
         const auto& variables = variables_of(problem, genome);
         chance.each(variables.size(), stream, [&](std::size_t i) {
-            if (variables[i].gene >= genes.size())
-                return;
+            if (variables[i].gene >= genes.size()) return;
             double& gene = genes[variables[i].gene];
             const double before = gene;
-            gene = variables[i].is_choice ? other_choice(before, variables[i], stream)
-                                          : change(before, variables[i]);
+            gene = variables[i].is_choice ? other_choice(before, variables[i], stream) : change(before, variables[i]);
             changed |= gene != before;
         });
     });
@@ -90,10 +83,8 @@ bool mutate_genes(const P& problem, typename P::Genome& genome, const Chance& ch
 
 /// Reflects a value once at the bound that it exceeds, then cuts it at the bounds.
 inline double reflected(double value, const Variable& variable) {
-    if (value < variable.lower)
-        value = 2 * variable.lower - value;
-    if (value > variable.upper)
-        value = 2 * variable.upper - value;
+    if (value < variable.lower) value = 2 * variable.lower - value;
+    if (value > variable.upper) value = 2 * variable.upper - value;
     return std::clamp(value, variable.lower, variable.upper);
 }
 
@@ -110,8 +101,7 @@ struct GeneStep {
     double size = 0.1; ///< size of a step as a fraction of the distance between the bounds, > 0
     static constexpr const char* needs = real_genes;
     static Words words() {
-        return {normal ? "gaussian" : "uniform", "mutation",
-                normal ? "adds a normal step" : "adds a uniform step"};
+        return {normal ? "gaussian" : "uniform", "mutation", normal ? "adds a normal step" : "adds a uniform step"};
     }
     static void describe(auto& self, auto visit) {
         visit(self.size, number(normal ? "sigma" : "step", above_zero, no_limit,
@@ -120,8 +110,7 @@ struct GeneStep {
     }
 
     template <HasGenes P>
-    bool operator()(const P& problem, typename P::Genome& genome, const Chance& chance,
-                    Stream& stream) const {
+    bool operator()(const P& problem, typename P::Genome& genome, const Chance& chance, Stream& stream) const {
         return mutate_genes(problem, genome, chance, stream, [&](double gene, const Variable& variable) {
             const double draw = normal ? stream.normal() : stream.uniform(-1, 1);
             return reflected(gene + size * width(variable) * draw, variable);
@@ -144,16 +133,12 @@ struct Polynomial {
 
     template <HasGenes P>
     requires Bounded<P>
-    bool operator()(const P& problem, typename P::Genome& genome, const Chance& chance,
-                    Stream& stream) const {
+    bool operator()(const P& problem, typename P::Genome& genome, const Chance& chance, Stream& stream) const {
         return mutate_genes(problem, genome, chance, stream, [&](double gene, const Variable& variable) {
             const double u = stream.uniform(), power = eta + 1, width = ga::width(variable);
-            if (!(width > 0))
-                return gene;
+            if (!(width > 0)) return gene;
             gene = std::clamp(gene, variable.lower, variable.upper);
-            const auto beyond = [&](double room) {
-                return room < width ? std::pow(1 - room / width, power) : 0;
-            };
+            const auto beyond = [&](double room) { return room < width ? std::pow(1 - room / width, power) : 0; };
             const double below = beyond(gene - variable.lower), above = beyond(variable.upper - gene);
             const double step = u < 0.5 ? std::pow(2 * u + (1 - 2 * u) * below, 1 / power) - 1
                                         : 1 - std::pow(2 * (1 - u) + (2 * u - 1) * above, 1 / power);
@@ -178,8 +163,7 @@ struct Reset : NoParameters {
     static Words words() { return {"reset", "mutation", "replaces the gene at random; flips a bit"}; }
 
     template <Problem P>
-    requires(BitString<typename P::Genome> ||
-             (Bounded<P> && (Discrete<typename P::Genome> || HasGenes<P>))) bool
+    requires(BitString<typename P::Genome> || (Bounded<P> && (Discrete<typename P::Genome> || HasGenes<P>))) bool
     operator()(const P& problem, typename P::Genome& genome, const Chance& chance, Stream& stream) const {
         bool changed = false;
         if constexpr (BitString<typename P::Genome>) {
@@ -205,11 +189,10 @@ struct Reset : NoParameters {
                 changed = true;
             });
         } else {
-            changed =
-                mutate_genes(problem, genome, chance, stream, [&](double gene, const Variable& variable) {
-                    const bool bounded = std::isfinite(variable.upper - variable.lower);
-                    return bounded ? stream.uniform(variable.lower, variable.upper) : gene;
-                });
+            changed = mutate_genes(problem, genome, chance, stream, [&](double gene, const Variable& variable) {
+                const bool bounded = std::isfinite(variable.upper - variable.lower);
+                return bounded ? stream.uniform(variable.lower, variable.upper) : gene;
+            });
         }
         return changed;
     }
@@ -232,9 +215,7 @@ template <bool piece>
 struct Exchange : NoParameters {
     static constexpr const char* needs = "genes that may change places";
     static Words words() {
-        if (piece)
-            return {"reverse", "mutation",
-                    "reverses the piece between the gene and another (2-opt for tours)"};
+        if (piece) return {"reverse", "mutation", "reverses the piece between the gene and another (2-opt for tours)"};
         return {"swap", "mutation", "exchanges the gene with another of the genome"};
     }
 
@@ -244,8 +225,7 @@ struct Exchange : NoParameters {
         auto& genes = places(genome);
         const auto at = [&](std::size_t k) { return genes.begin() + static_cast<std::ptrdiff_t>(k); };
         bool changed = false;
-        if (genes.size() < 2)
-            return false;
+        if (genes.size() < 2) return false;
         chance.each(genes.size(), stream, [&](std::size_t i) {
             const std::size_t j = (i + 1 + stream.below(genes.size() - 1)) % genes.size();
             if (piece)
@@ -266,8 +246,7 @@ template <bool piece>
 struct Move : NoParameters {
     static constexpr const char* needs = Swap::needs;
     static Words words() {
-        if (piece)
-            return {"or_opt", "mutation", "moves one to three genes to another place, perhaps reversed"};
+        if (piece) return {"or_opt", "mutation", "moves one to three genes to another place, perhaps reversed"};
         return {"insertion", "mutation", "moves the gene to another place"};
     }
 
@@ -276,17 +255,14 @@ struct Move : NoParameters {
     bool operator()(const P&, typename P::Genome& genome, const Chance& chance, Stream& stream) const {
         auto& genes = places(genome);
         const std::size_t n = genes.size();
-        if (n < 2)
-            return false;
+        if (n < 2) return false;
         const auto at = [&](std::size_t k) { return genes.begin() + static_cast<std::ptrdiff_t>(k); };
         bool changed = false;
         chance.each(n, stream, [&](std::size_t i) {
-            const std::size_t length =
-                piece ? std::min(1 + stream.below(std::min<std::size_t>(3, n - 1)), n - i) : 1;
+            const std::size_t length = piece ? std::min(1 + stream.below(std::min<std::size_t>(3, n - 1)), n - i) : 1;
             const std::size_t to = (i + 1 + stream.below(n - length)) % (n - length + 1);
             std::rotate(at(std::min(i, to)), at(to < i ? i : i + length), at(std::max(i, to) + length));
-            if (piece && stream.chance(0.5))
-                std::reverse(at(to), at(to + length));
+            if (piece && stream.chance(0.5)) std::reverse(at(to), at(to + length));
             changed = true;
         });
         return changed;

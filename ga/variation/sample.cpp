@@ -14,11 +14,10 @@ double share_of(std::uint64_t word) { return static_cast<double>(word >> 11) * 0
 std::vector<Point> sobol_points(std::size_t n, std::size_t dimensions, Stream& stream) {
     constexpr std::size_t max = boost::random::default_sobol_table::max_dimension;
     if (dimensions > max)
-        throw UsageError("sample sobol: " + std::to_string(dimensions) + " genes exceed " +
-                         std::to_string(max) + "; use latin");
+        throw UsageError("sample sobol: " + std::to_string(dimensions) + " genes exceed " + std::to_string(max) +
+                         "; use latin");
     std::vector<Point> points(n, Point(dimensions));
-    if (dimensions == 0)
-        return points;
+    if (dimensions == 0) return points;
     std::vector<std::uint64_t> shift(dimensions);
     std::ranges::generate(shift, std::ref(stream));
     boost::random::sobol sequence(dimensions);

@@ -25,8 +25,7 @@ struct Sample : Operator {
         std::vector<Work> work(n);
         for (std::size_t i = 0; i < n; ++i) {
             Stream stream = context.stream(i);
-            fresh.push_back(
-                {sampled(context.problem(), stream, work[i]), context.new_identity(), {}, {}, {}});
+            fresh.push_back({sampled(context.problem(), stream, work[i]), context.new_identity(), {}, {}, {}});
             if (i == 0) {
                 context.need_room(n, {}, &fresh.front().genome);
                 fresh.reserve(n);
@@ -53,8 +52,7 @@ struct SampleEvenly : Operator {
     static constexpr bool keeps_size = true; ///< as Sample
     static constexpr const char* needs = "a problem that samples genomes, with bounded real genes";
     static Words words() {
-        if (latin)
-            return {"sample latin", "mutation", "n new individuals by a Latin hypercube of their real genes"};
+        if (latin) return {"sample latin", "mutation", "n new individuals by a Latin hypercube of their real genes"};
         return {"sample sobol", "mutation", "n new individuals by Sobol's sequence of their real genes"};
     }
     static void describe(auto& self, auto visit) { Sample::describe(self, visit); }
@@ -73,8 +71,7 @@ struct SampleEvenly : Operator {
             edit_genes(problem, fresh[i].genome, [&](std::span<double> genes) {
                 const auto& variables = checked_bounds(problem, fresh[i].genome);
                 for (std::size_t k = 0; k < std::min<std::size_t>(variables.size(), dimensions); ++k)
-                    if (const Variable& v = variables[k];
-                        v.gene < genes.size() && std::isfinite(v.upper - v.lower))
+                    if (const Variable& v = variables[k]; v.gene < genes.size() && std::isfinite(v.upper - v.lower))
                         genes[v.gene] = std::min(v.upper, v.lower + points[i][k] * (v.upper - v.lower));
             });
         return fresh;

@@ -35,12 +35,10 @@ inline void check_pages(const std::filesystem::path& where, std::filesystem::fil
     for (const auto& entry : std::filesystem::recursive_directory_iterator(
              where, std::filesystem::directory_options::skip_permission_denied, none)) {
         const std::filesystem::path page = entry.path();
-        if (page.extension() != ".html" || !entry.is_regular_file(none) ||
-            entry.last_write_time(none) < since)
+        if (page.extension() != ".html" || !entry.is_regular_file(none) || entry.last_write_time(none) < since)
             continue;
         auto place = page;
-        if (!std::filesystem::is_regular_file(place.replace_extension(".json"), none))
-            place = page.parent_path();
+        if (!std::filesystem::is_regular_file(place.replace_extension(".json"), none)) place = page.parent_path();
         std::set<std::string> missing;
         try {
             render(page_source(place), {.seconds = 0, .missing = &missing});
@@ -55,12 +53,10 @@ inline void check_pages(const std::filesystem::path& where, std::filesystem::fil
 constexpr int killed = 128 + SIGKILL; ///< exit code of a killed program
 
 /// Runs the built program in a folder by a shell, after the words `by`, e.g. "timeout -s KILL 0.1".
-inline Ended rugosa(const std::string& words, const std::filesystem::path& where,
-                    const std::string& by = "") {
+inline Ended rugosa(const std::string& words, const std::filesystem::path& where, const std::string& by = "") {
     const Folder logs;
-    const std::string command = "cd '" + where.string() + "' && " + by + " '" RUGOSA_PROGRAM "' " + words +
-                                " >'" + (logs / "out").string() + "' 2>'" + (logs / "err").string() +
-                                "' </dev/null";
+    const std::string command = "cd '" + where.string() + "' && " + by + " '" RUGOSA_PROGRAM "' " + words + " >'" +
+                                (logs / "out").string() + "' 2>'" + (logs / "err").string() + "' </dev/null";
     const auto started = std::filesystem::file_time_type::clock::now();
     const auto start = std::chrono::steady_clock::now();
     const int status = std::system(command.c_str());
@@ -79,9 +75,7 @@ inline Ended succeeded(Ended ended) {
     return ended;
 }
 /// Runs the program in a folder and requires exit code 0.
-inline Ended done(const Folder& folder, const std::string& words) {
-    return succeeded(rugosa(words, folder.path()));
-}
+inline Ended done(const Folder& folder, const std::string& words) { return succeeded(rugosa(words, folder.path())); }
 /// Requires exit code 0, or 3 of a design whose answer is not as similar as required.
 inline Ended answered(Ended ended) {
     INFO(ended.out << ended.err);
@@ -97,11 +91,10 @@ inline Ended rugosa(const std::string& words) { return rugosa(words, Folder().pa
 inline Ended disturbed(const std::string& words, const std::filesystem::path& where, const std::string& sign,
                        const std::string& commands, const std::string& by = "") {
     const Folder logs;
-    const auto script =
-        logs.write("disturb.sh", "cd '" + where.string() + "'\n" + by + " '" RUGOSA_PROGRAM "' " + words +
-                                     " >'" + (logs / "out").string() + "' 2>'" + (logs / "err").string() +
-                                     "' & child=$!\nuntil " + sign + "; do sleep 0.002; done\n" + commands +
-                                     "; wait $child\n");
+    const auto script = logs.write("disturb.sh", "cd '" + where.string() + "'\n" + by + " '" RUGOSA_PROGRAM "' " +
+                                                     words + " >'" + (logs / "out").string() + "' 2>'" +
+                                                     (logs / "err").string() + "' & child=$!\nuntil " + sign +
+                                                     "; do sleep 0.002; done\n" + commands + "; wait $child\n");
     const int status = std::system(("bash '" + script.string() + "' 2>/dev/null").c_str());
     return {WEXITSTATUS(status), rough::read_whole(logs / "out"), rough::read_whole(logs / "err"), 0};
 }

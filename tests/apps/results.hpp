@@ -14,8 +14,7 @@ namespace app::testing {
 inline std::vector<std::string> found(const std::string& text, const std::string& pattern) {
     const std::regex expression(pattern);
     std::vector<std::string> all;
-    for (std::sregex_iterator i(text.begin(), text.end(), expression), end; i != end; ++i)
-        all.push_back((*i)[1]);
+    for (std::sregex_iterator i(text.begin(), text.end(), expression), end; i != end; ++i) all.push_back((*i)[1]);
     return all;
 }
 
@@ -24,9 +23,7 @@ inline nlohmann::json json_in(const std::filesystem::path& file) {
 }
 
 /// The result.json of a run's folder.
-inline nlohmann::json result_in(const std::filesystem::path& folder) {
-    return json_in(folder / "result.json");
-}
+inline nlohmann::json result_in(const std::filesystem::path& folder) { return json_in(folder / "result.json"); }
 
 /// The result.json in the folder of a run that ended well.
 inline nlohmann::json result_of(const Ended& ended, const std::filesystem::path& folder) {
@@ -47,8 +44,7 @@ inline nlohmann::json without_times(nlohmann::json value) {
             value.erase("numbers");
     }
     if (value.is_structured())
-        for (auto& part : value)
-            part = without_times(std::move(part));
+        for (auto& part : value) part = without_times(std::move(part));
     return value;
 }
 
@@ -60,9 +56,7 @@ inline nlohmann::json timeless(nlohmann::json result) {
 }
 
 /// The result without times of a run whose results are in the subfolder "o".
-inline nlohmann::json of_run(const std::filesystem::path& folder) {
-    return timeless(result_in(folder / "o"));
-}
+inline nlohmann::json of_run(const std::filesystem::path& folder) { return timeless(result_in(folder / "o")); }
 /// All curves of the database "g.db" in a folder.
 inline nlohmann::json of_database(const std::filesystem::path& folder) {
     const rough::StoredCurves curves = rough::GenomeStore::open(folder / "g.db").curves(true);
@@ -70,19 +64,16 @@ inline nlohmann::json of_database(const std::filesystem::path& folder) {
 }
 
 /// The rows of numbers in a CSV file. If `header` is not empty, the file must have it.
-inline std::vector<std::vector<double>> rows_of(const std::filesystem::path& file,
-                                                const std::string& header = "") {
+inline std::vector<std::vector<double>> rows_of(const std::filesystem::path& file, const std::string& header = "") {
     std::istringstream text(rough::read_whole(file));
     std::string line;
     std::getline(text, line);
-    if (!header.empty())
-        CHECK(line == header);
+    if (!header.empty()) CHECK(line == header);
     std::vector<std::vector<double>> rows;
     while (std::getline(text, line)) {
         rows.emplace_back();
         std::istringstream cells(line);
-        for (std::string cell; std::getline(cells, cell, ',');)
-            rows.back().push_back(std::stod(cell));
+        for (std::string cell; std::getline(cells, cell, ',');) rows.back().push_back(std::stod(cell));
     }
     return rows;
 }
@@ -93,11 +84,9 @@ inline const std::string curve_header = "displacement_mm,pressure_MPa,contact_fr
                                         "interface_stiffness_MPa_per_mm";
 
 /// The file of a genome of one series; each wave has its n and its phases.
-inline std::string genome_text(double A, double H, double gamma,
-                               const std::map<int, std::vector<double>>& waves) {
+inline std::string genome_text(double A, double H, double gamma, const std::map<int, std::vector<double>>& waves) {
     nlohmann::json series{{"A", A}, {"H", H}, {"gamma", gamma}, {"lambda", 0.84942}};
-    for (const auto& [n, phases] : waves)
-        series["chromosomes"].push_back({{"n", n}, {"phases", phases}});
+    for (const auto& [n, phases] : waves) series["chromosomes"].push_back({{"n", n}, {"phases", phases}});
     return nlohmann::json{{"series", nlohmann::json::array({series})}}.dump();
 }
 inline const std::string one_wave = genome_text(1, 0.8, 1.5, {{1, {0.3}}});
@@ -107,8 +96,7 @@ inline std::string table_text(int columns, int rows, const std::function<double(
                               const std::string& separator = " ") {
     std::string text;
     for (int j = 0; j < rows; ++j)
-        for (int i = 0; i < columns; ++i)
-            text += std::to_string(f(i, j)) + (i + 1 < columns ? separator : "\n");
+        for (int i = 0; i < columns; ++i) text += std::to_string(f(i, j)) + (i + 1 < columns ? separator : "\n");
     return text;
 }
 /// n heights, one a line.

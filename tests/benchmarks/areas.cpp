@@ -36,8 +36,8 @@ void press(Index side, Kernel kernel, const std::vector<double>& pressures, Solv
     const long products = (solver == Solver::polonsky_keer ? 2 : 1) * curve.iterations;
     std::printf("%5ld %-14s %7d %8.2f%% %10ld %9.1f %9.2f %9.2f %10.2f\n", static_cast<long>(side),
                 name_of(solver).c_str(), threads, 100 * curve.steps.back().contact_fraction, products,
-                static_cast<double>(products) / static_cast<double>(pressures.size()),
-                processor_seconds() - start, wall.count(), most_memory());
+                static_cast<double>(products) / static_cast<double>(pressures.size()), processor_seconds() - start,
+                wall.count(), most_memory());
     std::fflush(stdout);
 }
 
@@ -48,20 +48,18 @@ void press(Index side, Kernel kernel, const std::vector<double>& pressures, Solv
 /// 11 % contact on one and on two threads. benchmark_areas full [side]: each of four loads alone, near full
 /// contact of a periodic map.
 int main(int count, char** words) {
-    std::printf("%5s %-14s %7s %9s %10s %9s %9s %9s %10s\n", "side", "solver", "threads", "contact",
-                "products", "a step", "cpu, s", "wall, s", "memory GB");
+    std::printf("%5s %-14s %7s %9s %10s %9s %9s %9s %10s\n", "side", "solver", "threads", "contact", "products",
+                "a step", "cpu, s", "wall, s", "memory GB");
     const auto steps_to = [](double pressure) {
         std::vector<double> pressures;
-        for (int j = 1; j <= 10; ++j)
-            pressures.push_back(pressure * j / 10);
+        for (int j = 1; j <= 10; ++j) pressures.push_back(pressure * j / 10);
         return pressures;
     };
     if (count > 1 && std::string(words[1]) == "loads") {
         const Index side = count > 2 ? std::atol(words[2]) : 1024;
         for (const double units : {0.00058, 0.0046, 0.049, 0.29, 1.1, 2.1, 2.9}) // p/(E* slope)
             press(side, Kernel::free, {units * slope}, Solver::automatic);
-        for (const int threads : {1, 2})
-            press(side, Kernel::free, steps_to(0.054 * slope), Solver::automatic, threads);
+        for (const int threads : {1, 2}) press(side, Kernel::free, steps_to(0.054 * slope), Solver::automatic, threads);
         return 0;
     }
     if (count > 1 && std::string(words[1]) == "full") {
@@ -73,8 +71,7 @@ int main(int count, char** words) {
             press(side, Kernel::periodic, {share * full}, Solver::active_set);
         return 0;
     }
-    const Index largest = count > 1 ? std::atol(words[1]) : 1024,
-                rival = count > 2 ? std::atol(words[2]) : 512;
+    const Index largest = count > 1 ? std::atol(words[1]) : 1024, rival = count > 2 ? std::atol(words[2]) : 512;
     for (Index n = 128; n <= largest; n *= 2)
         for (const Solver solver : {Solver::active_set, Solver::polonsky_keer})
             if (solver == Solver::active_set || n <= rival) // 17 %: erf(sqrt 2 p/(E* h')) and a little more

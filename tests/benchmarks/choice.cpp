@@ -19,9 +19,7 @@ struct Measured {
 
     double transforms() const { return steps * nodes * std::log2(2 * nodes); }
     double faster() const { return nested > 0 ? std::min(nested, active_set) : active_set; }
-    bool is_near_crossing() const {
-        return nested > 0 && std::abs(std::log(nested / active_set)) < std::log(7.0);
-    }
+    bool is_near_crossing() const { return nested > 0 && std::abs(std::log(nested / active_set)) < std::log(7.0); }
 };
 
 Profile random_profile(std::mt19937_64& random, Index nodes, double shortest, bool periodic) {
@@ -42,13 +40,11 @@ Measured measured(const Profile& profile, Kernel kernel, int steps, double reach
     const auto seconds = [&](Solver solver) {
         ContactOptions options;
         options.solver = solver;
-        return testing::least_seconds([&] { curve = solve_contact(profile, body, displacements, options); },
-                                      3);
+        return testing::least_seconds([&] { curve = solve_contact(profile, body, displacements, options); }, 3);
     };
     m.active_set = seconds(Solver::active_set);
     m.contact = static_cast<double>(curve.steps.back().contact_nodes);
-    if (m.contact <= most_contact)
-        m.nested = seconds(Solver::nested);
+    if (m.contact <= most_contact) m.nested = seconds(Solver::nested);
     m.automatic = seconds(Solver::automatic);
     return m;
 }
@@ -58,16 +54,13 @@ template <typename Terms>
 void print_fit(const char* what, const std::vector<Measured>& runs, double Measured::*seconds, Terms terms) {
     std::vector<Eigen::VectorXd> rows;
     for (const Measured& run : runs)
-        if (run.is_near_crossing())
-            rows.push_back(terms(run) / (run.*seconds * 1e9));
+        if (run.is_near_crossing()) rows.push_back(terms(run) / (run.*seconds * 1e9));
     Eigen::MatrixXd matrix(static_cast<Index>(rows.size()), rows.front().size());
-    for (std::size_t k = 0; k < rows.size(); ++k)
-        matrix.row(static_cast<Index>(k)) = rows[k];
+    for (std::size_t k = 0; k < rows.size(); ++k) matrix.row(static_cast<Index>(k)) = rows[k];
     const Eigen::VectorXd ones = Eigen::VectorXd::Ones(matrix.rows());
     const Eigen::VectorXd found = matrix.colPivHouseholderQr().solve(ones);
     std::printf("%s:", what);
-    for (const double value : found)
-        std::printf(" %.3g", value);
+    for (const double value : found) std::printf(" %.3g", value);
     std::printf(" ns; off by %.2g (root mean square of %ld curves)\n",
                 std::sqrt((matrix * found - ones).squaredNorm() / static_cast<double>(matrix.rows())),
                 static_cast<long>(matrix.rows()));
@@ -82,9 +75,8 @@ void print_choices(const std::vector<Measured>& runs, double nodes) {
             worst = std::max(worst, loss);
             ++count;
         }
-    std::printf(
-        "N = %g: auto takes %.3g times as long as the faster (geometric mean), at most %.3g, %g curves\n",
-        nodes, std::exp(sum / count), worst, count);
+    std::printf("N = %g: auto takes %.3g times as long as the faster (geometric mean), at most %.3g, %g curves\n",
+                nodes, std::exp(sum / count), worst, count);
 }
 
 } // namespace
@@ -98,18 +90,14 @@ int main(int count, char** words) {
             for (const Kernel kernel : {Kernel::free, Kernel::periodic, Kernel::strip})
                 for (const double reach : {0.1, 0.4, 0.9}) {
                     const int steps = std::array{5, 20, 80}[runs.size() % 7 % 3];
-                    const Profile profile =
-                        random_profile(random, nodes, shortest, kernel == Kernel::periodic);
+                    const Profile profile = random_profile(random, nodes, shortest, kernel == Kernel::periodic);
                     runs.push_back(measured(profile, kernel, steps, reach));
                 }
-    print_fit("nested, of steps N log2 2N, steps m^2, m^3/6", runs, &Measured::nested,
-              [](const Measured& run) {
-                  const double m = run.contact;
-                  return Eigen::VectorXd(Eigen::Vector3d(run.transforms(), run.steps * m * m, m * m * m / 6));
-              });
-    print_fit("active set, of steps N log2 2N", runs, &Measured::active_set, [](const Measured& run) {
-        return Eigen::VectorXd(Eigen::VectorXd::Constant(1, run.transforms()));
+    print_fit("nested, of steps N log2 2N, steps m^2, m^3/6", runs, &Measured::nested, [](const Measured& run) {
+        const double m = run.contact;
+        return Eigen::VectorXd(Eigen::Vector3d(run.transforms(), run.steps * m * m, m * m * m / 6));
     });
-    for (const Index nodes : grids)
-        print_choices(runs, static_cast<double>(nodes));
+    print_fit("active set, of steps N log2 2N", runs, &Measured::active_set,
+              [](const Measured& run) { return Eigen::VectorXd(Eigen::VectorXd::Constant(1, run.transforms())); });
+    for (const Index nodes : grids) print_choices(runs, static_cast<double>(nodes));
 }

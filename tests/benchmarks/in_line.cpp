@@ -28,9 +28,9 @@ std::vector<Target> targets(const DatabaseSetup& setup) {
         targets.push_back(
             target_like(sample(drawn(law, i), setup.model.grid), setup.model, "genome " + std::to_string(i)));
     for (int i = 0; i < 6; ++i)
-        targets.push_back(target_like(
-            fractal_profile(setup.model.grid, 0.5 + 0.08 * i, 1e-3, 100 + static_cast<std::uint64_t>(i)),
-            setup.model, "fractal " + std::to_string(i)));
+        targets.push_back(
+            target_like(fractal_profile(setup.model.grid, 0.5 + 0.08 * i, 1e-3, 100 + static_cast<std::uint64_t>(i)),
+                        setup.model, "fractal " + std::to_string(i)));
     for (const char* name : {"drawn", "heldout"}) {
         targets.push_back(read_target(std::string(RUGOSA_SOURCE "/experiments/targets/") + name + ".csv"));
         targets.back().name = name;
@@ -45,20 +45,17 @@ struct Reached {
 Reached in_line(const char* file, const Target& target, double seconds) {
     const ga::Stopwatch clock;
     const GenomeStore store = GenomeStore::open(file);
-    const DesignSetup setup{.model = store.setup().model,
-                            .targets = {target},
-                            .limits = {.shortest_wave = store.setup().law.shortest}};
+    const DesignSetup setup{
+        .model = store.setup().model, .targets = {target}, .limits = {.shortest_wave = store.setup().law.shortest}};
     const auto genomes = stored_starts(store, setup, 8);
     const DesignProblem problem(setup);
-    const DesignPipeline pipeline =
-        design_pipeline(setup, "score | refine lm 12 | best 4 | refine lm 30 sharpen=8 | "
-                               "best 2 | refine lm 200 sharpen=5 | best 1");
+    const DesignPipeline pipeline = design_pipeline(setup, "score | refine lm 12 | best 4 | refine lm 30 sharpen=8 | "
+                                                           "best 2 | refine lm 200 sharpen=5 | best 1");
     ga::RunOptions options;
     options.budget.seconds = seconds - clock.seconds() - 0.03; // for evaluations that still run at the end
     const auto result = ga::run(pipeline, problem, ga::population(genomes), options);
     const double taken = clock.seconds();
-    return {similarity(setup, genomes[0]), result.best->value(), similarity(setup, result.best->genome, 4),
-            taken};
+    return {similarity(setup, genomes[0]), result.best->value(), similarity(setup, result.best->genome, 4), taken};
 }
 
 /// The best similarity of a variant of the paper from its hundred genomes.
@@ -67,8 +64,7 @@ double by_variant(const char* name, const Target& target, const Model& model) {
     const DesignProblem problem(paper_setup(model, target, highest, 0.5 * highest));
     const Vocabulary words{std::make_shared<DominanceRule>(model)};
     const auto start = ga::population(sobol_database({.shortest = model.grid.spacing()}));
-    return ga::run(ga::Parser<DesignProblem>(paper_registry(words), paper_variants()).variant(name), problem,
-                   start)
+    return ga::run(ga::Parser<DesignProblem>(paper_registry(words), paper_variants()).variant(name), problem, start)
         .population.front()
         .value();
 }
@@ -87,18 +83,16 @@ int main(int count, char** arguments) {
     std::array<std::vector<double>, 7> columns;
     const auto print = [](const std::string& name, const std::array<double, 7>& row) {
         std::printf("%-16s", name.c_str());
-        for (const double value : row)
-            std::printf(" %9.4f", value);
+        for (const double value : row) std::printf(" %9.4f", value);
         std::printf("\n");
     };
-    std::printf("%-16s %9s %9s %9s %9s %9s %9s %9s\n", "target", "screened", "reached", "refined", "seconds",
-                "sog", "gco", "cco");
+    std::printf("%-16s %9s %9s %9s %9s %9s %9s %9s\n", "target", "screened", "reached", "refined", "seconds", "sog",
+                "gco", "cco");
     for (const Target& target : targets(setup)) {
         const Reached r = in_line(file, target, seconds);
         const auto by = [&](const char* variant) { return by_variant(variant, target, setup.model); };
         const std::array row{r.screened, r.similarity, r.refined, r.seconds, by("sog"), by("gco"), by("cco")};
-        for (std::size_t i = 0; i < row.size(); ++i)
-            columns[i].push_back(row[i]);
+        for (std::size_t i = 0; i < row.size(); ++i) columns[i].push_back(row[i]);
         print(target.name, row);
     }
     std::array<double, 7> medians;

@@ -37,15 +37,13 @@ void print_row(bool is_map, Index nodes, int steps) {
     std::vector<double> curves, gradients;
     for (int genome = 0; genome < 3; ++genome) {
         Model model{.grid = {.nodes = nodes}, .loading = {.steps = steps}};
-        if (is_map)
-            model.grid.rows = nodes, model.grid.width = model.grid.length;
+        if (is_map) model.grid.rows = nodes, model.grid.width = model.grid.length;
         const DesignSetup setup{.model = completed(model),
                                 .targets = {read_target(RUGOSA_SOURCE "/experiments/targets/drawn.csv")},
                                 .max_pressure = 1.6e-4};
         const Genome surface = random_genome(
-            [&](double from, double to) { return std::uniform_real_distribution(from, to)(random); }, 2,
-            is_map ? 8 : 1, setup.model.grid.length,
-            std::max(is_map ? 0.05 : 0.0133, 8 * setup.model.grid.spacing()));
+            [&](double from, double to) { return std::uniform_real_distribution(from, to)(random); }, 2, is_map ? 8 : 1,
+            setup.model.grid.length, std::max(is_map ? 0.05 : 0.0133, 8 * setup.model.grid.spacing()));
         const DesignProblem problem(setup);
         curves.push_back(time_of([&] { problem.evaluate(surface); }));
         gradients.push_back(time_of([&] { problem.sensitivity(surface, "similarity"); }));
@@ -58,9 +56,7 @@ void print_row(bool is_map, Index nodes, int steps) {
 
 int main() {
     for (const int steps : {5, 20, 80}) {
-        for (Index nodes = 128; nodes <= 16384; nodes *= 2)
-            print_row(false, nodes, steps);
-        for (Index side = 16; side <= 512 / (steps / 20 + 1); side *= 2)
-            print_row(true, side, steps);
+        for (Index nodes = 128; nodes <= 16384; nodes *= 2) print_row(false, nodes, steps);
+        for (Index side = 16; side <= 512 / (steps / 20 + 1); side *= 2) print_row(true, side, steps);
     }
 }

@@ -26,8 +26,7 @@ inline std::vector<double> moved(std::vector<double> values, std::size_t g, doub
 
 /// Checks derivatives against central differences in every gene. A probe is omitted if the contact set or an
 /// extreme node changes in between. At least a third of the probes must remain.
-inline void check_derivatives(const Genome& genome, const Model& model,
-                              const std::vector<Derivative>& derivatives) {
+inline void check_derivatives(const Genome& genome, const Model& model, const std::vector<Derivative>& derivatives) {
     const auto corners = [&](const Genome& at, const Response& response) {
         Index highest, lowest;
         const Profile profile = sample(at, model.grid);
@@ -40,11 +39,9 @@ inline void check_derivatives(const Genome& genome, const Model& model,
     std::size_t kept = 0;
     for (std::size_t g = 0; g < values.size(); ++g) {
         const double h = 1e-5;
-        const Genome above = with_genes(genome, moved(values, g, h)),
-                     below = with_genes(genome, moved(values, g, -h));
+        const Genome above = with_genes(genome, moved(values, g, h)), below = with_genes(genome, moved(values, g, -h));
         const Response right = respond(above, model), left = respond(below, model);
-        if (corners(above, right) != base || corners(below, left) != base)
-            continue;
+        if (corners(above, right) != base || corners(below, left) != base) continue;
         ++kept;
         for (const Derivative& one : derivatives) {
             const Eigen::VectorXd difference = (one.value(right) - one.value(left)) / (2 * h);

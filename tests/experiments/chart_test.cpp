@@ -76,25 +76,22 @@ TEST_CASE("the chart's advice claims only what was measured") {
     usual.add(64, 9e-3, 0.04);
     usual.add(64, 7e-3, 0.04, "nested"); // not much faster than the default
     usual.add(128, 5e-2, 0.008);
-    CHECK(usual.words() ==
-          "For 5 % error in the stiffness K, take a map of 64 x 64 cells: 9 ms; for less than 1 %, a "
-          "map of 128 x 128 cells: 50 ms. Ten times the time of the first lowers the error from 4 % "
-          "to 0.8 %.");
+    CHECK(usual.words() == "For 5 % error in the stiffness K, take a map of 64 x 64 cells: 9 ms; for less than 1 %, a "
+                           "map of 128 x 128 cells: 50 ms. Ten times the time of the first lowers the error from 4 % "
+                           "to 0.8 %.");
     MadeUp poor(0.03);
     poor.add(32, 1e-3, 0.12);
     CHECK(poor.words() ==
           "Nothing that was measured has an error of 5 % or less in the stiffness K; the lowest is 12 % "
           "with a map of 32 x 32 cells: 1 ms.");
     poor.add(64, 1e-2, 0.045);
-    CHECK_THAT(poor.words(),
-               Catch::Contains("below 1 % nothing is claimed, because the reference itself may be off by "
-                               "3 %.") &&
-                   Catch::Contains("does not lower the error."));
+    CHECK_THAT(poor.words(), Catch::Contains("below 1 % nothing is claimed, because the reference itself may be off by "
+                                             "3 %.") &&
+                                 Catch::Contains("does not lower the error."));
     MadeUp good(0);
     good.add(128, 2e-4, 0.004, "persson", "theory");
-    CHECK(good.words() ==
-          "For 5 % error in the stiffness K, take Persson's theory: 200 µs, which also has an error "
-          "below 1 % (0.4 %).");
+    CHECK(good.words() == "For 5 % error in the stiffness K, take Persson's theory: 200 µs, which also has an error "
+                          "below 1 % (0.4 %).");
     good.data.runs[0].outcome = Outcome::refused;
     good.data.runs[0].message = "because";
     good.add(32, 1e-3, 0.02);
@@ -119,11 +116,9 @@ TEST_CASE("labels of a chart cover neither dots nor each other") {
     std::vector<std::array<double, 4>> boxes; // left, right, low, high
     for (const nlohmann::json& row : found.tables.at("points.csv").rows())
         if (row["kind"] == "stiffness") {
-            const double x = pixel("seconds", row["label_seconds"], 410),
-                         y = pixel("error", row["label_error"], 424),
+            const double x = pixel("seconds", row["label_seconds"], 410), y = pixel("error", row["label_error"], 424),
                          wide = 6.8 * static_cast<double>(row["label"].get<std::string>().size()),
-                         dot_x = pixel("seconds", row["seconds"], 410),
-                         dot_y = pixel("error", row["error"], 424);
+                         dot_x = pixel("seconds", row["seconds"], 410), dot_y = pixel("error", row["error"], 424);
             boxes.push_back(
                 {row["label_left"] == 1 ? x : x - wide, row["label_left"] == 1 ? x + wide : x, y - 6, y + 6});
             boxes.push_back({dot_x, dot_x, dot_y, dot_y});
@@ -134,15 +129,14 @@ TEST_CASE("labels of a chart cover neither dots nor each other") {
         CHECK(boxes[i][0] >= 0);
         CHECK(boxes[i][1] <= 410);
         for (std::size_t j = 0; j < boxes.size(); ++j)
-            CHECK((i == j || boxes[i][0] >= boxes[j][1] || boxes[j][0] >= boxes[i][1] ||
-                   boxes[i][2] >= boxes[j][3] || boxes[j][2] >= boxes[i][3]));
+            CHECK((i == j || boxes[i][0] >= boxes[j][1] || boxes[j][0] >= boxes[i][1] || boxes[i][2] >= boxes[j][3] ||
+                   boxes[j][2] >= boxes[i][3]));
     }
 }
 
 TEST_CASE("rugosa chart ends in time, and its page has only what was measured") {
     const app::testing::Folder folder;
-    const auto ended =
-        app::testing::rugosa("chart --set chart.quick=on --minutes 1e-9 --out r", folder.path());
+    const auto ended = app::testing::rugosa("chart --set chart.quick=on --minutes 1e-9 --out r", folder.path());
     CHECK(ended.code == 0);
     CHECK(ended.err.empty());
     CHECK_THAT(ended.out, Catch::Contains("settings were not measured"));
@@ -154,8 +148,7 @@ TEST_CASE("rugosa chart ends in time, and its page has only what was measured") 
     CHECK(app::testing::result_in(folder / "r")["runs"].size() == 1);
     const auto refused = app::testing::rugosa("chart --set chart.quik=on --out s", folder.path());
     CHECK(refused.code == 2);
-    CHECK_THAT(refused.err,
-               Catch::Contains("--set: unknown key 'chart.quik'") && Catch::Contains("chart.quick"));
+    CHECK_THAT(refused.err, Catch::Contains("--set: unknown key 'chart.quik'") && Catch::Contains("chart.quick"));
 }
 
 TEST_CASE("chart.csv has the measurements so far when the program is killed") {

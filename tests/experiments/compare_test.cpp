@@ -32,8 +32,7 @@ TEST_CASE("a comparison writes medians, runtimes, shares and tests, the same on 
         INFO(name);
         REQUIRE(variant["runs"].size() == 3);
         CHECK(variant["interval"][0] <= variant["median_precision"]);
-        for (const json& run : variant["runs"])
-            CHECK(run["evaluations"] <= 300);
+        for (const json& run : variant["runs"]) CHECK(run["evaluations"] <= 300);
     }
     for (const auto& [name, group] : result["groups"].items())
         for (const auto& [variant, one] : group["variants"].items()) {
@@ -56,9 +55,8 @@ TEST_CASE("variants given by flag or by file run in the place of the usual ones"
                          "pair(score, score, union) | best 1\" --out r",
                          folder.path()),
                   "union");
-    folder.write("c.ini",
-                 "[experiment]\nkind = compare\n[compare]\nproblems = tsp14\nseeds = 2\nbudget = 300\n"
-                 "[tours]\nmine = sample 9 | score | best 1\nga = ga\n");
+    folder.write("c.ini", "[experiment]\nkind = compare\n[compare]\nproblems = tsp14\nseeds = 2\nbudget = 300\n"
+                          "[tours]\nmine = sample 9 | score | best 1\nga = ga\n");
     done(folder, "compare c.ini --budget 400 --out c");
     done(folder, "run c.ini --pictures off --out d");
     const json result = result_in(folder / "c")["problems"]["tsp14"];
@@ -70,10 +68,10 @@ TEST_CASE("variants given by flag or by file run in the place of the usual ones"
 
 TEST_CASE("the roughness problem is compared by the price of curves, with similarity for precision") {
     const Folder folder;
-    const json result = result_of(
-        folder, "compare --problems roughness --target '" RUGOSA_SOURCE "/experiments/targets/drawn.csv' "
-                "--max-pressure 1.6e-4 --seeds 2 --curves 60 --variants plain,\"mine=sample 20 | score | "
-                "best 1\"")["problems"]["roughness"];
+    const json result =
+        result_of(folder, "compare --problems roughness --target '" RUGOSA_SOURCE "/experiments/targets/drawn.csv' "
+                          "--max-pressure 1.6e-4 --seeds 2 --curves 60 --variants plain,\"mine=sample 20 | score | "
+                          "best 1\"")["problems"]["roughness"];
     for (const auto& [name, variant] : result["variants"].items())
         for (const json& run : variant["runs"]) {
             CHECK(run["evaluations"] <= 60);
@@ -90,8 +88,7 @@ TEST_CASE("searches are compared by verified similarity on each target and grid"
         result_of(folder, "run '" RUGOSA_SOURCE "/experiments/compare/surface.ini' --set compare.curves=120 "
                           "--set 'model.nodes=16x16, 32' --set model.steps=6 --set compare.shortest-wave=0.2 "
                           "--set compare.seeds=2 --set surfaces.cco=");
-    const json &map = result["problems"]["roughness-drawn"],
-               &profile = result["problems"]["roughness-drawn-32"];
+    const json &map = result["problems"]["roughness-drawn"], &profile = result["problems"]["roughness-drawn-32"];
     CHECK(map["nodes"] == json({16, 16}));
     CHECK(profile["nodes"] == 32);
     CHECK(profile["target"]["points"].size() == 20);
@@ -113,13 +110,11 @@ TEST_CASE("searches are compared by verified similarity on each target and grid"
     // A variant's median precision never rises, and is within its interval.
     std::map<std::string, double> last;
     for (const auto& row : app::csv_rows(rough::read_whole(folder / "r" / "progress.csv"))) {
-        if (row[0] != "roughness-drawn-32")
-            continue;
+        if (row[0] != "roughness-drawn-32") continue;
         const double precision = std::stod(row[3]);
         CHECK(std::stod(row[4]) <= precision);
         CHECK(precision <= std::stod(row[5]));
-        if (last.contains(row[1]))
-            CHECK(precision <= last[row[1]]);
+        if (last.contains(row[1])) CHECK(precision <= last[row[1]]);
         last[row[1]] = precision;
     }
     REQUIRE(last.size() == 2);
@@ -132,8 +127,7 @@ TEST_CASE("a search that cannot work is refused before any run starts") {
     const std::string race = "run '" RUGOSA_SOURCE "/experiments/compare/variants.ini' --set "
                              "compare.curves=1000000000 --out s --set ";
     for (const std::string pipeline : {"bets", "'score | elite 1'"})
-        check_refused(rugosa(race + "surfaces.mine=" + pipeline, folder.path(), "timeout 200"),
-                      "surfaces.mine");
+        check_refused(rugosa(race + "surfaces.mine=" + pipeline, folder.path(), "timeout 200"), "surfaces.mine");
     const std::string drawn = RUGOSA_SOURCE "/experiments/targets/drawn.csv";
     check_refused(rugosa(race + "'compare.target=" + drawn + ", " + drawn + "'", folder.path()),
                   "given as a name twice");
@@ -147,21 +141,19 @@ TEST_CASE("names of files, folders and pipelines may have bytes that are not UTF
                               "curves = 20\ntarget = t\xE9.csv\n[model]\nnodes = 32, 48\n"
                               "[surfaces]\nw\xE9 = sample 4 | score | best 1\n");
     done(folder, "run e\xE9.ini --pictures off --out r\xE9");
-    CHECK(result_in(folder / "r\xE9")["problems"]["roughness-t\xEF\xBF\xBD"]["variants"].count(
-              "w\xEF\xBF\xBD") == 1);
+    CHECK(result_in(folder / "r\xE9")["problems"]["roughness-t\xEF\xBF\xBD"]["variants"].count("w\xEF\xBF\xBD") == 1);
 }
 
 TEST_CASE("runs on BBOB's functions are written as COCO has them, a folder for each variant") {
     const Folder folder;
-    const json result =
-        result_of(folder, "compare --variants ga,bipop-cma-es --seeds 2 --budget 200*D --coco "
-                          "--problems bbob2-1,bbob5-1,bbob2-8");
+    const json result = result_of(folder, "compare --variants ga,bipop-cma-es --seeds 2 --budget 200*D --coco "
+                                          "--problems bbob2-1,bbob5-1,bbob2-8");
     for (const std::string variant : {"ga", "bipop-cma-es"}) {
         const auto in = folder / ("r/coco/" + variant);
         const std::string info = rough::read_whole(in / "bbobexp_f1.info");
         for (const std::string D : {"2", "5"}) {
-            CHECK_THAT(info, Catch::Contains("funcId = 1, DIM = " + D + ", Precision = 1.000e-08, algId = '" +
-                                             variant + "'\n%"));
+            CHECK_THAT(info, Catch::Contains("funcId = 1, DIM = " + D + ", Precision = 1.000e-08, algId = '" + variant +
+                                             "'\n%"));
             CHECK_THAT(info, Catch::Contains("\ndata_f1/bbobexp_f1_DIM" + D + ".dat, 1:"));
             std::istringstream rows(rough::read_whole(in / ("data_f1/bbobexp_f1_DIM" + D + ".dat")));
             std::vector<long> ends; // evaluations of each run

@@ -8,8 +8,7 @@ using nlohmann::json;
 TEST_CASE("an experiment's script reads settings of any length") {
     const Folder folder;
     std::string files = "no-law.csv";
-    for (int i = 0; i < 14000; ++i)
-        files += ",law-" + std::to_string(i) + ".csv";
+    for (int i = 0; i < 14000; ++i) files += ",law-" + std::to_string(i) + ".csv";
     folder.write("long.ini", "[experiment]\nkind = metainterfaces\n[targets]\nfiles = " + files + "\n");
     check_refused(rugosa("run long.ini", folder.path()), "no-law.csv: cannot be read");
 }
@@ -21,11 +20,9 @@ TEST_CASE("laws of contact area are designed by caps, verified, and shown side b
         folder.write(name, "open('harm', 'w'); raise SystemExit('a module of the current folder ran')\n");
     const tests::Environment modules("PYTHONPATH", ":.");
     const json result = result_of(
-        folder,
-        "run " RUGOSA_SOURCE
-        "/experiments/metainterfaces/metainterfaces.ini --set targets.files=" RUGOSA_SOURCE
-        "/experiments/metainterfaces/laws/power_0.8.csv," RUGOSA_SOURCE
-        "/experiments/metainterfaces/laws/linear_too_long.csv --set caps.nodes=512 --set caps.radii=");
+        folder, "run " RUGOSA_SOURCE "/experiments/metainterfaces/metainterfaces.ini --set targets.files=" RUGOSA_SOURCE
+                "/experiments/metainterfaces/laws/power_0.8.csv," RUGOSA_SOURCE
+                "/experiments/metainterfaces/laws/linear_too_long.csv --set caps.nodes=512 --set caps.radii=");
     CHECK(result["summary"] == "1 of 2 laws met");
     REQUIRE(result["rows"].size() == 2);
     for (const json& row : result["rows"]) {

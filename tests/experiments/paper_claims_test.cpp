@@ -9,8 +9,7 @@ constexpr double L = 2;
 
 const Claim& claim_of(const std::string& id) {
     for (const Claim& claim : paper_claims())
-        if (claim.id == id)
-            return claim;
+        if (claim.id == id) return claim;
     throw std::runtime_error("no claim " + id);
 }
 
@@ -31,8 +30,7 @@ rough::Genome waves_of(const std::vector<double>& phases, double H = 0.8) {
     return genome;
 }
 
-VariantRun variant(const std::string& name, const rough::Genome& genome, double area = 0.1,
-                   double similarity = 0.96) {
+VariantRun variant(const std::string& name, const rough::Genome& genome, double area = 0.1, double similarity = 0.96) {
     VariantRun run;
     run.name = name;
     run.answer = {genome, response_of_area(area)};
@@ -49,8 +47,7 @@ PaperRun run_with(const std::vector<TargetRun>& targets) {
     return run;
 }
 
-std::string verdict(const std::string& id, const std::vector<TargetRun>& targets,
-                    const Studies& studies = {}) {
+std::string verdict(const std::string& id, const std::vector<TargetRun>& targets, const Studies& studies = {}) {
     const auto findings = findings_of(claim_of(id), run_with(targets), studies);
     return verdict_of(claim_of(id), rough::column(findings, &Finding::number));
 }
@@ -119,16 +116,14 @@ TEST_CASE("profiles are alike by the correlation of their heights") {
 TEST_CASE("a spectrum matches the genome's waves unless the profile has other waves, too") {
     const std::vector<double> phases{0.1, 1.2, 2.3, 0.4, 1.5};
     const auto with = [&](const rough::Genome& genome) {
-        return answers(variant("sog", genome), variant("gco", genome),
-                       variant("cco", waves_of(phases, -0.5)));
+        return answers(variant("sog", genome), variant("gco", genome), variant("cco", waves_of(phases, -0.5)));
     };
     const TargetRun periodic = with(waves_of(phases));
     CHECK(verdict("match-high", periodic) == yes);
     CHECK(verdict("differ-low", periodic) == no);
     CHECK(verdict("extra-peaks", periodic) == no);
     CHECK(verdict("cco-flat", periodic) == yes); // density k^-(2H + 1)
-    CHECK(verdict("cco-flat",
-                  answers(variant("sog", {}), variant("gco", {}), variant("cco", waves_of(phases)))) == no);
+    CHECK(verdict("cco-flat", answers(variant("sog", {}), variant("gco", {}), variant("cco", waves_of(phases)))) == no);
     // Longer waves than the profile are in its spectrum, but not in the octaves of its genome.
     rough::Genome aliased = waves_of(phases);
     aliased.series.push_back({10, 0.8, 2, L / 40, {{1, {0.7}}}}); // beyond the Nyquist wavenumber, seen at 24
@@ -170,10 +165,8 @@ TEST_CASE("claims on the search are decided by each algorithm, by similarities a
         for (const double more : {0.0, spread})
             for (const char* name : {"gco", "cco"}) {
                 const double similarity = name[0] == 'g' ? gco : cco;
-                target.thresholds.push_back({{"variant", name},
-                                             {"share_above", 0},
-                                             {"best_child", 0.8 + more},
-                                             {"similarity", similarity}});
+                target.thresholds.push_back(
+                    {{"variant", name}, {"share_above", 0}, {"best_child", 0.8 + more}, {"similarity", similarity}});
             }
         return target;
     };
@@ -195,8 +188,7 @@ TEST_CASE("verdicts on formulas and parts of a genome turn when their numbers do
     const std::vector<std::string> ids{"nesting",         "one-wave",      "wavelength",       "condition",
                                        "arccos",          "part-suffices", "coarse-stiffness", "fine-area",
                                        "alloy-stiffness", "alloy-area"};
-    for (const std::string& id : ids)
-        CHECK(verdict(id, {}, studies) == yes);
+    for (const std::string& id : ids) CHECK(verdict(id, {}, studies) == yes);
     studies.chromosomes = {{0.1, 2e-12}, {0.0668, 0}};
     studies.ridges[1] = {8, 1, 0.9, 0.5};
     studies.genomes = {{.dominant = {0.3, 0.4}, .without_coarse = {0.1, 2}, .without_fine = {2, 0.1}}};

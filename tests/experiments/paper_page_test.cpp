@@ -9,14 +9,11 @@ using nlohmann::json;
 namespace {
 
 const std::string small_paper =
-    "run '" RUGOSA_SOURCE
-    "/experiments/paper/paper.ini' --seed 11 --set model.nodes=64 --set database.pairs=";
+    "run '" RUGOSA_SOURCE "/experiments/paper/paper.ini' --seed 11 --set model.nodes=64 --set database.pairs=";
 
 std::string page_in(const Folder& folder) { return rough::read_whole(folder / "r/report.html"); }
 
-std::vector<std::string> figures_in(const std::string& html) {
-    return found(html, "<figure id=\"figure-(\\d+)\"");
-}
+std::vector<std::string> figures_in(const std::string& html) { return found(html, "<figure id=\"figure-(\\d+)\""); }
 
 } // namespace
 
@@ -53,16 +50,13 @@ TEST_CASE("the paper's report shows every number, verdict and figure of the resu
     CHECK(found(html, "([^a-z]-?(nan|inf)[^a-z])").empty());
     CHECK(found(html, "(<script|<link rel=\"stylesheet|@import|url\\()").empty());
     std::set<std::string> ids;
-    for (const std::string& id : found(html, " id=\"([^\"]*)\""))
-        CHECK(ids.insert(id).second);
-    for (const std::string& link : found(html, "href=\"#([^\"]*)\""))
-        CHECK(ids.contains(link));
+    for (const std::string& id : found(html, " id=\"([^\"]*)\"")) CHECK(ids.insert(id).second);
+    for (const std::string& link : found(html, "href=\"#([^\"]*)\"")) CHECK(ids.contains(link));
 }
 
 TEST_CASE("a report on a handful of nodes, another body or one target is whole, too") {
-    for (const std::string other :
-         {"--set model.nodes=4", "--set model.kernel=periodic", "--set model.kernel=strip",
-          "--set heldout.file= --set paper.sweep-points=0"}) {
+    for (const std::string other : {"--set model.nodes=4", "--set model.kernel=periodic", "--set model.kernel=strip",
+                                    "--set heldout.file= --set paper.sweep-points=0"}) {
         const Folder folder;
         INFO(other);
         result_of(folder, small_paper + "2 --set paper.sweep-points=1 " + other);

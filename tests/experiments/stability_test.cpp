@@ -8,30 +8,26 @@ using namespace app::testing;
 
 TEST_CASE("no solver claims a wrong curve, and the automatic and nested ones solve whatever has a solution") {
     for (const app::ContactScene& scene : app::stability_scenes()) {
-        if (scene.profile.nodes() > 1000)
-            continue; // rugosa stability tries them
+        if (scene.profile.nodes() > 1000) continue; // rugosa stability tries them
         for (std::size_t method = 0; method < rough::solver_names().size(); ++method) {
             rough::ContactOptions options;
             options.solver = static_cast<rough::Solver>(method);
             app::ContactTrial trial = try_contact(scene, options, 30);
             verify(scene, trial);
-            INFO(scene.name << ", " << rough::name_of(scene.body.kernel) << ", "
-                            << rough::solver_names()[method] << ": " << trial.message);
+            INFO(scene.name << ", " << rough::name_of(scene.body.kernel) << ", " << rough::solver_names()[method]
+                            << ": " << trial.message);
             CHECK(trial.outcome != app::Outcome::wrong);
-            const bool direct =
-                options.solver == rough::Solver::automatic || options.solver == rough::Solver::nested;
+            const bool direct = options.solver == rough::Solver::automatic || options.solver == rough::Solver::nested;
             if (direct)
                 CHECK((trial.outcome == app::Outcome::solved) ==
-                      (scene.has_solution &&
-                       !(scene.body.yields() && options.solver == rough::Solver::nested)));
+                      (scene.has_solution && !(scene.body.yields() && options.solver == rough::Solver::nested)));
         }
     }
 }
 
 TEST_CASE("the oracle in extended precision agrees with the curves of the stability scenes") {
     for (const app::ContactScene& scene : app::stability_scenes()) {
-        if (scene.profile.nodes() > 1000 || !scene.has_solution || !scene.pressures.empty())
-            continue;
+        if (scene.profile.nodes() > 1000 || !scene.has_solution || !scene.pressures.empty()) continue;
         INFO(scene.name << ", " << rough::name_of(scene.body.kernel));
         const rough::ContactCurve curve = try_contact(scene, {}).curve;
         const double largest = largest_displacement(scene.profile, scene.body), tolerance = 1e-9;
@@ -46,8 +42,7 @@ TEST_CASE("the oracle in extended precision agrees with the curves of the stabil
                 CHECK(found >= std::min(low, high) - slack);
                 CHECK(found <= std::max(low, high) + slack);
             };
-            if (step.displacement > 0)
-                expect_between(step.pressure, oracle.pressure[0], oracle.pressure[1]);
+            if (step.displacement > 0) expect_between(step.pressure, oracle.pressure[0], oracle.pressure[1]);
             expect_between(step.tangent_stiffness, oracle.tangent_stiffness[0], oracle.tangent_stiffness[1]);
             CHECK(step.contact_nodes >= oracle.contact_nodes[0]);
             CHECK(step.contact_nodes <= oracle.contact_nodes[1]);
@@ -123,15 +118,13 @@ TEST_CASE("under a load a displacement, a stiffness or a load that is off is nam
 }
 
 TEST_CASE("stability's verdict names wrong curves first, then what auto failed on") {
-    using Row =
-        std::tuple<const char*, const char*, const char*, bool>; // scene, method, outcome, has a solution
+    using Row = std::tuple<const char*, const char*, const char*, bool>; // scene, method, outcome, has a solution
     const auto verdict = [](const std::vector<Row>& rows) {
         nlohmann::json table = nlohmann::json::array();
         std::set<std::string> unsolvable;
         for (const auto& [scene, method, outcome, has_solution] : rows) {
             table.push_back({{"scene", scene}, {"kernel", "free"}, {"method", method}, {"outcome", outcome}});
-            if (!has_solution)
-                unsolvable.insert(std::string(scene) + " (free)");
+            if (!has_solution) unsolvable.insert(std::string(scene) + " (free)");
         }
         return app::stability_verdict(table, unsolvable);
     };
@@ -140,13 +133,12 @@ TEST_CASE("stability's verdict names wrong curves first, then what auto failed o
     CHECK(verdict({{"spike", "auto", "solved", true}, {"nan", "auto", "refused", false}}) ==
           "auto, the default, failed on none of the 1 scene with a solution, and no solver gave a wrong "
           "curve.");
-    CHECK(
-        verdict({{"spike", "auto", "solved", true},
-                 {"spike", "nnls", "refused", true},
-                 {"flat", "auto", "not-converged", true},
-                 {"flat", "nnls", "solved", true}}) ==
-        "auto, the default, failed on 1 of 2 scenes with a solution: flat (free), and no solver gave a wrong "
-        "curve. Scenes without a right curve: nnls 1.");
+    CHECK(verdict({{"spike", "auto", "solved", true},
+                   {"spike", "nnls", "refused", true},
+                   {"flat", "auto", "not-converged", true},
+                   {"flat", "nnls", "solved", true}}) ==
+          "auto, the default, failed on 1 of 2 scenes with a solution: flat (free), and no solver gave a wrong "
+          "curve. Scenes without a right curve: nnls 1.");
     CHECK(verdict({{"spike", "nnls", "wrong", true}, {"spike", "auto", "solved", true}}) ==
           "Wrong curves: nnls on spike (free). auto, the default, failed on none of the 1 scene with a "
           "solution. "
@@ -177,8 +169,7 @@ TEST_CASE("a bred scene is pressed again from its name, and wrong names are refu
     CHECK(again.pressures == scene.pressures);
     CHECK(again.body.hardness == scene.body.hardness);
     CHECK(scene.steps() == 2);
-    const app::ContactScene nearly_full =
-        app::bred_scene("bred 0.3,0.35,0.5,0.6,0.5,0.123,0.4,0.7,0.5,0,0,0.3,1,1");
+    const app::ContactScene nearly_full = app::bred_scene("bred 0.3,0.35,0.5,0.6,0.5,0.123,0.4,0.7,0.5,0,0,0.3,1,1");
     CHECK(nearly_full.profile.row_spacing == Approx(10 * nearly_full.profile.spacing));
     CHECK(nearly_full.pressures[0] / full_contact_load(nearly_full.profile, nearly_full.body) ==
           Approx(1 - 1e-7).epsilon(1e-9));

@@ -16,16 +16,15 @@ struct Begun {
     static rough::DesignSetup setup() {
         const tests::Folder folder;
         return {.model = rough::completed({.grid = {32}, .loading = {3}}),
-                .targets = {rough::read_target(folder.write(
-                    "t.csv", "pressure_MPa,stiffness_MPa_per_mm\n4e-5,0.4\n8e-5,0.6\n1.6e-4,0.8\n"))}};
+                .targets = {rough::read_target(
+                    folder.write("t.csv", "pressure_MPa,stiffness_MPa_per_mm\n4e-5,0.4\n8e-5,0.6\n1.6e-4,0.8\n"))}};
     }
     Begun()
         : problem(setup()),
-          pipeline(rough::design_pipeline(setup(),
-                                          "sample 4 | score | islands 2 rounds=2 { repeat 2 { "
-                                          "tournament 2 | cross uniform | mutate 0.2 | score | elite "
-                                          "1 } } | until generations 2 { mutate 0.2 | score | refine "
-                                          "lm 1 | plus 3 }")) {
+          pipeline(rough::design_pipeline(setup(), "sample 4 | score | islands 2 rounds=2 { repeat 2 { "
+                                                   "tournament 2 | cross uniform | mutate 0.2 | score | elite "
+                                                   "1 } } | until generations 2 { mutate 0.2 | score | refine "
+                                                   "lm 1 | plus 3 }")) {
         ga::Checkpoints<rough::DesignProblem> keeper(folder / "run", "", false, 0);
         run(keeper, 20);
         kept = ga::opened(folder / "run");
@@ -40,16 +39,13 @@ struct Begun {
 struct Resumed : ga::Checkpoints<rough::DesignProblem> {
     using Checkpoints::Checkpoints;
     bool due(double) const override { return false; }
-    void write(const Taken&, const ga::Ledger<rough::DesignProblem>&,
-               const ga::Population<rough::Genome>*) override {}
+    void write(const Taken&, const ga::Ledger<rough::DesignProblem>&, const ga::Population<rough::Genome>*) override {}
 };
 
 /// A checkpoint with changes given by the bytes: four bytes per change, two of them for the place.
 std::string altered(std::string kept, std::string_view bytes) {
     for (; bytes.size() >= 4 && !kept.empty(); bytes.remove_prefix(4)) {
-        const auto byte = [&](std::size_t i) {
-            return static_cast<std::size_t>(static_cast<unsigned char>(bytes[i]));
-        };
+        const auto byte = [&](std::size_t i) { return static_cast<std::size_t>(static_cast<unsigned char>(bytes[i])); };
         const std::size_t at = (256 * byte(1) + byte(2)) % kept.size(), length = byte(3) + 1;
         switch (byte(0) % 5) {
         case 0:

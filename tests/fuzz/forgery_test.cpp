@@ -20,17 +20,13 @@ namespace {
 
 /// A value of another type, size or range than the old one.
 json odd_value(json old, ga::Stream& random) {
-    const json many =
-        old.is_array() ? json(std::vector<json>(40, old.empty() ? json() : old[0])) : json({old, old});
+    const json many = old.is_array() ? json(std::vector<json>(40, old.empty() ? json() : old[0])) : json({old, old});
     const std::vector<json> others{nullptr,       "\x1b[2J\n<script>", -1,   1e308, std::nan(""), UINT64_MAX,
                                    json::array(), json::object(),      many, 3};
-    if (const std::size_t choice = random.below(14); choice < others.size())
-        return others[choice];
+    if (const std::size_t choice = random.below(14); choice < others.size()) return others[choice];
     // one part less or more, or a number a little off
-    if (old.is_number())
-        return random.chance(0.5) ? json(-2.5 * old.get<double>()) : json(old.get<double>() + 1);
-    if (!old.is_array() || old.empty())
-        return true;
+    if (old.is_number()) return random.chance(0.5) ? json(-2.5 * old.get<double>()) : json(old.get<double>() + 1);
+    if (!old.is_array() || old.empty()) return true;
     if (random.chance(0.5))
         old.erase(old.size() - 1);
     else
@@ -112,10 +108,9 @@ void forge_search(const std::string& genes, const std::string& pipeline, bool se
         evaluator.record.minimise = minimise;
         ga::Checkpoints<P> keeper(folder / "run", "", resume, resume ? 1e9 : 0);
         keeper.keep("record", evaluator.record);
-        ga::run_by(evaluator, stage, problem, {},
-                   {.threads = 1, .budget = {.evaluations = evaluations, .seconds = 5}}, {}, &keeper);
-        for (const app::Solution& solution : evaluator.record.front())
-            CHECK(json::parse(solution.genes).is_array());
+        ga::run_by(evaluator, stage, problem, {}, {.threads = 1, .budget = {.evaluations = evaluations, .seconds = 5}},
+                   {}, &keeper);
+        for (const app::Solution& solution : evaluator.record.front()) CHECK(json::parse(solution.genes).is_array());
     };
     run(false, 40);
     forge(genes + pipeline, json::from_cbor(ga::opened(folder / "run")), 80, 25, [&](const json& content) {
@@ -143,20 +138,16 @@ std::vector<double> unpacked(std::string_view bytes) {
 
 TEST_CASE("forged checkpoints of reals, words, bits, permutations and fronts are refused or harmless") {
     const std::string generation = " | score | repeat 9 { tournament 2 | ";
-    forge_search<std::vector<double>>(
-        "real:3:-1:1,choice:2:a:b:c",
-        "sample 8" + generation + "cross blend | mutate 0.3 | score | elite 1 }", false);
-    forge_search<std::vector<double>>("real:3:-1:1",
-                                      "sample 8" + generation + "self-adaptive | score | elite 1 }", false);
-    forge_search<std::vector<double>>("real:2:-1:1", "sample 1 | score | repeat 30 { cma-es | score }",
+    forge_search<std::vector<double>>("real:3:-1:1,choice:2:a:b:c",
+                                      "sample 8" + generation + "cross blend | mutate 0.3 | score | elite 1 }", false);
+    forge_search<std::vector<double>>("real:3:-1:1", "sample 8" + generation + "self-adaptive | score | elite 1 }",
                                       false);
-    forge_search<std::vector<double>>("real:2:-1:1",
-                                      "sample 8 | score | repeat 30 { l-shade | score | duel }", false);
-    forge_search<std::vector<bool>>(
-        "bits:9", "sample 8" + generation + "cross uniform | mutate 0.1 | score | elite 1 }", false);
+    forge_search<std::vector<double>>("real:2:-1:1", "sample 1 | score | repeat 30 { cma-es | score }", false);
+    forge_search<std::vector<double>>("real:2:-1:1", "sample 8 | score | repeat 30 { l-shade | score | duel }", false);
+    forge_search<std::vector<bool>>("bits:9",
+                                    "sample 8" + generation + "cross uniform | mutate 0.1 | score | elite 1 }", false);
     forge_search<ga::Permutation>(
-        "permutation:7", "sample 8" + generation + "cross order | mutate 0.1 reverse | score | elite 1 }",
-        false);
+        "permutation:7", "sample 8" + generation + "cross order | mutate 0.1 reverse | score | elite 1 }", false);
     forge_search<ga::Permutation>("permutation:7",
                                   "sample 8 | pareto f1 f2 | repeat 9 { tournament 2 | cross order | "
                                   "pareto f1 f2 | plus 8 } | front",
@@ -209,8 +200,7 @@ TEST_CASE("a forged database is refused or harmless") {
                 good[table][rows.getColumn(0).getString()] = unpacked(rows.getColumn(1).getString());
         }
         SQLite::Statement setup(sqlite, "SELECT name, value FROM setup WHERE name <> 'checksum'");
-        while (setup.executeStep())
-            good["setup"][setup.getColumn(0).getString()] = setup.getColumn(1).getString();
+        while (setup.executeStep()) good["setup"][setup.getColumn(0).getString()] = setup.getColumn(1).getString();
         good["batch"] = {{"0", 3}, {"3", 3}};
     }
     forge("database", good, 150, 50, [&](const json& content) {
@@ -220,9 +210,7 @@ TEST_CASE("a forged database is refused or harmless") {
             SQLite::Database sqlite(file, SQLite::OPEN_READWRITE);
             const auto text = [](const json& j) { return j.is_string() ? j.get<std::string>() : j.dump(); };
             const auto signed_number = [](std::uint64_t n) { return static_cast<std::int64_t>(n); };
-            const auto whole = [](const json& j) {
-                return j.is_number_integer() ? j.get<std::uint64_t>() : 7;
-            };
+            const auto whole = [](const json& j) { return j.is_number_integer() ? j.get<std::uint64_t>() : 7; };
             const auto numbers = [](const json& j) {
                 std::vector<double> all;
                 for (const json& each : j.is_array() ? j : json::array({j}))
@@ -244,8 +232,7 @@ TEST_CASE("a forged database is refused or harmless") {
             run("INSERT INTO setup VALUES('checksum', ?)", std::to_string(rough::checksum(lines)));
             for (const char* first : {"0", "3"}) {
                 const json& batches = content.contains("batch") ? content["batch"] : json();
-                const std::uint64_t count =
-                    batches.is_object() && batches.contains(first) ? whole(batches[first]) : 3;
+                const std::uint64_t count = batches.is_object() && batches.contains(first) ? whole(batches[first]) : 3;
                 const std::uint64_t place = std::stoul(first);
                 run("INSERT INTO batch VALUES(?, ?)", signed_number(place), signed_number(count));
                 for (const std::string table : {"pressure", "contact", "genome"}) {
@@ -254,8 +241,8 @@ TEST_CASE("a forged database is refused or harmless") {
                         packed(numbers(rows.is_object() && rows.contains(first) ? rows[first] : rows));
                     const std::uint64_t sum =
                         rough::checksum(bytes, rough::checksum(table, place * ga::golden_step + count));
-                    run("UPDATE " + table + " SET numbers = CAST(? AS BLOB), checksum = ? WHERE first = ?",
-                        bytes, signed_number(sum), signed_number(place));
+                    run("UPDATE " + table + " SET numbers = CAST(? AS BLOB), checksum = ? WHERE first = ?", bytes,
+                        signed_number(sum), signed_number(place));
                 }
             }
         }
@@ -264,7 +251,6 @@ TEST_CASE("a forged database is refused or harmless") {
         rough::stored_answers(store, setup, 1, 1);
         rough::build(store, {.genomes = 9, .batch = 3, .threads = 1});
         store.curves(true);
-        for (const rough::Span& span : store.batches())
-            store.responses(span);
+        for (const rough::Span& span : store.batches()) store.responses(span);
     });
 }

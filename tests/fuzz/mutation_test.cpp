@@ -51,8 +51,7 @@ std::string mutant(std::string bytes, ga::Stream& random) {
             bytes.insert(at, bytes.substr(at, length));
             break;
         case 5:
-            if (below(4) == 0)
-                bytes.resize(at);
+            if (below(4) == 0) bytes.resize(at);
             break;
         case 6: {
             const auto [first, end] = word_at(bytes, at);
@@ -62,16 +61,14 @@ std::string mutant(std::string bytes, ga::Stream& random) {
             break;
         }
         case 7: {
-            const std::size_t first = bytes.rfind('\n', at) + 1,
-                              end = std::min(bytes.find('\n', at), bytes.size());
+            const std::size_t first = bytes.rfind('\n', at) + 1, end = std::min(bytes.find('\n', at), bytes.size());
             if (first < end)
                 below(2) == 0 ? bytes.erase(first, end - first)
                               : bytes.insert(first, bytes.substr(first, end - first) + "\n");
             break;
         }
         case 8: {
-            constexpr std::array<std::uint64_t, 6> extremes{0,          1,     0x7fffffff,
-                                                            0x80000000, ~0ULL, 0x7ff8000000000000};
+            constexpr std::array<std::uint64_t, 6> extremes{0, 1, 0x7fffffff, 0x80000000, ~0ULL, 0x7ff8000000000000};
             const std::size_t size = 1ULL << below(4), place = at / size * size;
             const std::uint64_t value = extremes[below(extremes.size())];
             for (std::size_t i = 0; i < size && place + i < bytes.size(); ++i)
@@ -87,14 +84,12 @@ std::string mutant(std::string bytes, ga::Stream& random) {
 /// A mutant of a file. An archive is mostly packed again with one altered entry, as its check sums refuse
 /// other changes.
 std::string altered(const std::string& bytes, ga::Stream& random) {
-    if (!bytes.starts_with("PK") || random.chance(0.2))
-        return mutant(bytes, random);
+    if (!bytes.starts_with("PK") || random.chance(0.2)) return mutant(bytes, random);
     const rough::Zip archive(bytes, "seed");
     std::vector<std::pair<std::string, std::string>> entries;
     for (const std::string name : {"main.xml", "bindata/data.bin", "bindata/valid.bin", "xl/workbook.xml",
                                    "xl/sharedStrings.xml", "xl/worksheets/sheet1.xml"})
-        if (auto entry = archive.entry(name, max_bytes))
-            entries.emplace_back(name, std::move(*entry));
+        if (auto entry = archive.entry(name, max_bytes)) entries.emplace_back(name, std::move(*entry));
     std::string& entry = entries[random.below(entries.size())].second;
     entry = mutant(entry, random);
     return rough::zipped(entries);
@@ -127,12 +122,10 @@ TEST_CASE("a reader reads altered bytes or refuses them with its error") {
             try {
                 read += fuzz::feed(reader, bytes);
             } catch (const std::exception& error) {
-                FAIL_CHECK(reader.name << ", run " << run << ", a mutant of " << name << ": "
-                                       << error.what());
+                FAIL_CHECK(reader.name << ", run " << run << ", a mutant of " << name << ": " << error.what());
             }
         }
         if (requested)
-            std::cout << reader.name << ": " << runs << " runs, " << read << " read, " << runs - read
-                      << " refused\n";
+            std::cout << reader.name << ": " << runs << " runs, " << read << " read, " << runs - read << " refused\n";
     }
 }

@@ -47,18 +47,18 @@ inline std::filesystem::path as_file(std::string_view bytes) {
 } // namespace fuzz
 
 #ifdef RUGOSA_LIBFUZZER
-#define RUGOSA_FUZZ_ENTRY                                                                                    \
-    extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {                     \
-        fuzz::feed(fuzz::readers().front(), {reinterpret_cast<const char*>(data), size});                    \
-        return 0;                                                                                            \
+#define RUGOSA_FUZZ_ENTRY                                                                                              \
+    extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {                               \
+        fuzz::feed(fuzz::readers().front(), {reinterpret_cast<const char*>(data), size});                              \
+        return 0;                                                                                                      \
     }
 #else
 #define RUGOSA_FUZZ_ENTRY
 #endif
 
 /// FUZZ(name) { … bytes … }: a reader of that name, with seeds in corpus/name.
-#define FUZZ(name)                                                                                           \
-    static void read_##name(std::string_view bytes);                                                         \
-    [[maybe_unused]] static const bool added_##name = fuzz::add(#name, read_##name);                         \
-    RUGOSA_FUZZ_ENTRY                                                                                        \
+#define FUZZ(name)                                                                                                     \
+    static void read_##name(std::string_view bytes);                                                                   \
+    [[maybe_unused]] static const bool added_##name = fuzz::add(#name, read_##name);                                   \
+    RUGOSA_FUZZ_ENTRY                                                                                                  \
     static void read_##name(std::string_view bytes)

@@ -4,8 +4,7 @@
 
 /// The first byte sets the options, so the seeds begin with it.
 FUZZ(scan) {
-    if (bytes.empty())
-        return;
+    if (bytes.empty()) return;
     rough::ScanOptions options;
     options.fill = bytes[0] & 1;
     options.spacing = bytes[0] & 2 ? 0.001 : 0;

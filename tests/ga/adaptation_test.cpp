@@ -8,8 +8,7 @@ namespace {
 /// Evaluations that a pipeline needs to reach the target; all there are if it does not.
 long evaluations_to(double target, const Reals& problem, const std::string& pipeline, std::uint64_t seed = 1,
                     long most = 200000) {
-    const auto result =
-        run(pipeline, problem, {}, {.seed = seed, .threads = 1, .budget = {.evaluations = most}});
+    const auto result = run(pipeline, problem, {}, {.seed = seed, .threads = 1, .budget = {.evaluations = most}});
     CHECK(result.best->value() <= target);
     return result.counters.evaluations;
 }
@@ -25,8 +24,7 @@ const Eigen::MatrixXd six_steps{{1, 0.3, -0.2, 0.9, -1.5, 0.1}, {0.5, -1, 0.4, 1
 struct Watched : SelfAdaptive {
     std::function<void(const State& before, const State& after)> look;
 
-    Population<Vector> operator()(Population<Vector> population, Context<Reals>& context,
-                                  State& state) const {
+    Population<Vector> operator()(Population<Vector> population, Context<Reals>& context, State& state) const {
         const State before = state;
         auto next = SelfAdaptive::operator()(std::move(population), context, state);
         look(before, state);
@@ -48,8 +46,7 @@ struct Counting : Operator {
 
     std::string text() const { return "counting"; }
     void check(CheckState&) const {}
-    Population<Vector> operator()(Population<Vector> population, Context<Reals>& context,
-                                  State& state) const {
+    Population<Vector> operator()(Population<Vector> population, Context<Reals>& context, State& state) const {
         const std::lock_guard lock(*guard);
         seen->emplace_back(state.calls++, context.position.generations().back());
         return population;
@@ -72,16 +69,14 @@ TEST_CASE("the constants of CMA-ES follow Hansen's tutorial for few and many chi
     CHECK(CmaConstants(40, 15).weights[14] == Approx(-0.30836725932054165).epsilon(1e-13));
     const CmaConstants many(2, 200);
     REQUIRE(many.mu_eff > 4); // (mu_eff - 1) / (n + 1) is above 1
-    CHECK(many.d_sigma ==
-          Approx(1 + 2 * (std::sqrt((many.mu_eff - 1) / 3) - 1) + many.c_sigma).epsilon(1e-14));
+    CHECK(many.d_sigma == Approx(1 + 2 * (std::sqrt((many.mu_eff - 1) / 3) - 1) + many.c_sigma).epsilon(1e-14));
 }
 
 TEST_CASE("three generations of CMA-ES equal those of an independent program") {
     SearchDistribution distribution(Eigen::Vector2d(1, 2), 0.5);
     const auto check = [&](double m0, double m1, double sigma, double c00, double c01, double c11, double p0,
                            double p1) {
-        CHECK((distribution.mean[0] == Approx(m0).epsilon(1e-13) &&
-               distribution.mean[1] == Approx(m1).epsilon(1e-13)));
+        CHECK((distribution.mean[0] == Approx(m0).epsilon(1e-13) && distribution.mean[1] == Approx(m1).epsilon(1e-13)));
         CHECK(distribution.sigma == Approx(sigma).epsilon(1e-13));
         CHECK(distribution.covariance(0, 0) == Approx(c00).epsilon(1e-13));
         CHECK(distribution.covariance(0, 1) == Approx(c01).epsilon(1e-12));
@@ -93,8 +88,8 @@ TEST_CASE("three generations of CMA-ES equal those of an independent program") {
     check(1.3533681071042383, 2.032652948355438, 0.4517482891753802, 0.9914491124828981, 0.01512945756488861,
           0.7596880712640123, 0.9329613559687964, 0.08621021071684297);
     distribution.learn(six, six_steps.rowwise().reverse());
-    check(1.2211853493352072, 2.6728819547164044, 0.5396732465936928, 0.8352413023389593,
-          -0.017983686540776412, 1.3479413344979199, -0.035988220829193174, 1.903243816844794);
+    check(1.2211853493352072, 2.6728819547164044, 0.5396732465936928, 0.8352413023389593, -0.017983686540776412,
+          1.3479413344979199, -0.035988220829193174, 1.903243816844794);
     distribution.learn(six, 5 * six_steps); // so far that the path of C stalls
     check(3.1282184853713275, 2.8491011812147575, 1.3130938780643515, 2.197923196966732, 0.44020658447124417,
           2.2152431620282624, -0.013511614158820797, 0.714564252159636);
@@ -106,8 +101,7 @@ TEST_CASE("CMA-ES needs the published evaluations on sphere, ellipsoid and Rosen
                                          {functions::ellipsoid, 0, 7500},
                                          {functions::rosenbrock, 0, 8000}}) {
         std::array<long, 5> spent;
-        for (std::size_t i = 0; i < 5; ++i)
-            spent[i] = evaluations_to(1e-9, minimum(10, f), by_cma(1e-9), 1 + i);
+        for (std::size_t i = 0; i < 5; ++i) spent[i] = evaluations_to(1e-9, minimum(10, f), by_cma(1e-9), 1 + i);
         std::ranges::sort(spent);
         CAPTURE(spent);
         CHECK(spent[2] > least); // the median
@@ -119,8 +113,7 @@ TEST_CASE("CMA-ES depends only on the order of fitness") {
     const auto by = [](auto f) {
         return run("sample 1 | score | repeat 40 { cma-es | score }", minimum(6, f)).population.back().genome;
     };
-    CHECK(by(functions::rosenbrock) ==
-          by([](const Vector& x) { return std::sqrt(functions::rosenbrock(x)) - 7; }));
+    CHECK(by(functions::rosenbrock) == by([](const Vector& x) { return std::sqrt(functions::rosenbrock(x)) - 7; }));
 }
 
 TEST_CASE("CMA-ES converges in a corner of its box, and without bounds") {
@@ -154,8 +147,7 @@ TEST_CASE("restarts of CMA-ES find Rastrigin's minimum, unlike a single run") {
 TEST_CASE("a run of CMA-ES ends by each of Hansen's rules") {
     using Change = std::function<void(SearchDistribution&, CmaRecord&)>;
     const auto flat = [](std::vector<double>& values) {
-        for (std::size_t i = 0; i < values.size(); ++i)
-            values[i] = static_cast<double>(i % 2);
+        for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<double>(i % 2);
     };
     const auto small = [](double sigma, double variance) {
         return [=](SearchDistribution& distribution, CmaRecord&) {
@@ -168,28 +160,22 @@ TEST_CASE("a run of CMA-ES ends by each of Hansen's rules") {
         {"", [](SearchDistribution&, CmaRecord&) {}, 0.3},
         {"MaxIter", [](SearchDistribution& distribution, CmaRecord&) { distribution.learnt = 3000; }, 0.3},
         {"TolHistFun",
-         [](SearchDistribution&, CmaRecord& record) {
-             std::fill(record.best.end() - 40, record.best.end(), 7.0);
-         },
+         [](SearchDistribution&, CmaRecord& record) { std::fill(record.best.end() - 40, record.best.end(), 7.0); },
          0.3},
-        {"EqualFunVals",
-         [](SearchDistribution&, CmaRecord& record) { std::fill_n(record.equal.end() - 10, 4, 1.0); }, 0.3},
+        {"EqualFunVals", [](SearchDistribution&, CmaRecord& record) { std::fill_n(record.equal.end() - 10, 4, 1.0); },
+         0.3},
         {"TolX", small(1.8e-12, 0.25), 1}, // the standard deviation is sigma sqrt(C)
         {"TolUpSigma", [](SearchDistribution& distribution, CmaRecord&) { distribution.sigma = 1e20; }, 0.3},
-        {"Stagnation",
-         [&](SearchDistribution&, CmaRecord& record) { flat(record.best), flat(record.median); }, 0.3},
-        {"ConditionCov", [](SearchDistribution& distribution, CmaRecord&) { distribution.scales[4] = 1e-8; },
-         0.3},
-        {"NoEffectAxis", [](SearchDistribution& distribution, CmaRecord&) { distribution.sigma = 1e-17; },
-         1e-10},
-        {"NoEffectCoord",
-         [](SearchDistribution& distribution, CmaRecord&) { distribution.covariance(3, 3) = 1e-40; }, 0.3}};
+        {"Stagnation", [&](SearchDistribution&, CmaRecord& record) { flat(record.best), flat(record.median); }, 0.3},
+        {"ConditionCov", [](SearchDistribution& distribution, CmaRecord&) { distribution.scales[4] = 1e-8; }, 0.3},
+        {"NoEffectAxis", [](SearchDistribution& distribution, CmaRecord&) { distribution.sigma = 1e-17; }, 1e-10},
+        {"NoEffectCoord", [](SearchDistribution& distribution, CmaRecord&) { distribution.covariance(3, 3) = 1e-40; },
+         0.3}};
     for (const auto& [reason, change, scale] : cases) {
         SearchDistribution distribution(Eigen::VectorXd::Ones(10), 0.3);
         distribution.learnt = 155;
         CmaRecord record;
-        for (int i = 0; i < 200; ++i)
-            record.note({i + 0.0, i + 0.0, i - 1.0}, 10);
+        for (int i = 0; i < 200; ++i) record.note({i + 0.0, i + 0.0, i - 1.0}, 10);
         change(distribution, record);
         const char* const why = stop_criterion(distribution, CmaConstants(10, 10), record, scale);
         CHECK(std::string(why ? why : "") == reason);
@@ -211,8 +197,7 @@ TEST_CASE("BIPOP spends as much on small runs as on large ones, which double, an
         CHECK(plan.now_large == (run.max_evaluations == 0));
         last = plan.now_large ? run.lambda : last;
     }
-    for (const std::size_t expected : {40u, 160u, 640u})
-        CHECK(ipop.next(1000, false, random).lambda == expected);
+    for (const std::size_t expected : {40u, 160u, 640u}) CHECK(ipop.next(1000, false, random).lambda == expected);
 }
 
 TEST_CASE("CMA-ES learns only from children that it made") {
@@ -225,23 +210,19 @@ TEST_CASE("CMA-ES learns only from children that it made") {
 }
 
 TEST_CASE("CMA-ES converges when a refinement moves its children far, or its start fails") {
-    evaluations_to(
-        1e-9, minimum(6, functions::sphere),
-        "sample 1 | score | until fitness 1e-9 { cma-es sigma=0.001 | score | refine nlopt LN_COBYLA 15 }", 1,
-        60000);
+    evaluations_to(1e-9, minimum(6, functions::sphere),
+                   "sample 1 | score | until fitness 1e-9 { cma-es sigma=0.001 | score | refine nlopt LN_COBYLA 15 }",
+                   1, 60000);
     const Reals hole = minimum(2, [](const Vector& x) {
-        return x == Vector{0.5, 0.5} ? throw std::runtime_error("cannot be evaluated here")
-                                     : functions::sphere(x);
+        return x == Vector{0.5, 0.5} ? throw std::runtime_error("cannot be evaluated here") : functions::sphere(x);
     });
-    CHECK(run("score | repeat 30 { cma-es | score }", hole, population<Vector>({{0.5, 0.5}})).best->value() <
-          1e-3);
+    CHECK(run("score | repeat 30 { cma-es | score }", hole, population<Vector>({{0.5, 0.5}})).best->value() < 1e-3);
 }
 
 TEST_CASE("a learning operator without a gene to move keeps genomes or refuses") {
     const auto start = population<Vector>({{1, 2}, {3, 4}, {5, 6}, {7, 8}});
     const auto after = run("score | de | score", minimum(0, functions::sphere), start).population;
-    for (std::size_t i = 0; i < 4; ++i)
-        CHECK(after[i].genome == start[i].genome);
+    for (std::size_t i = 0; i < 4; ++i) CHECK(after[i].genome == start[i].genome);
     CHECK_THROWS_WITH(run("score | repeat 2 { cma-es | score }", minimum(2, functions::sphere, 1, 1), start),
                       "cma-es: the genome has no gene that may move; give bounds that differ");
 }
@@ -268,8 +249,7 @@ TEST_CASE("exponential cross-over takes genes in a row, of geometric length") {
     const std::size_t n = 5;
     const Vector ones(n, 1), zeros(n, 0);
     std::vector<Variable> box;
-    for (std::size_t g = 0; g < n; ++g)
-        box.push_back({g, -10, 10});
+    for (std::size_t g = 0; g < n; ++g) box.push_back({g, -10, 10});
     const double cr = 0.7;
     const int trials = 20000;
     std::vector<int> of_length(n + 1);
@@ -319,8 +299,7 @@ TEST_CASE("differential evolution and L-SHADE solve their published problems") {
                                 minimum(5, functions::sphere), {}, {.seed = 1, .threads = 1});
         CHECK(result.best->value() < 1e-9);
         CHECK(result.counters.requested < 20000);
-        for (const auto& individual : result.population)
-            CHECK(individual.value() <= result.best->value() + 1e-9);
+        for (const auto& individual : result.population) CHECK(individual.value() <= result.best->value() + 1e-9);
     }
     const std::string l_shade = "sample 180 | score | until fitness 1e-8 { l-shade | score | duel }";
     evaluations_to(1e-8, minimum(10, functions::rastrigin), (l_shade), 1, 60000);
@@ -331,18 +310,15 @@ TEST_CASE("duel keeps the better of child and parent while L-SHADE's population 
     std::vector<std::size_t> sizes;
     double worst = HUGE_VAL;
     const Observer<Vector> observer = [&](const auto& event) {
-        if (!event.path.ends_with("duel.1"))
-            return;
+        if (!event.path.ends_with("duel.1")) return;
         sizes.push_back(event.population.size());
         double now = 0;
-        for (const auto& each : event.population)
-            now = std::max(now, each.value());
+        for (const auto& each : event.population) now = std::max(now, each.value());
         CHECK(now <= worst); // no individual gets worse, and the worst are removed
         worst = now;
     };
-    const auto result =
-        run("sample 60 | score | until evaluations 2940 { l-shade evaluations=3000 | score | duel }",
-            minimum(5, functions::sphere), {}, {}, {observer});
+    const auto result = run("sample 60 | score | until evaluations 2940 { l-shade evaluations=3000 | score | duel }",
+                            minimum(5, functions::sphere), {}, {}, {observer});
     double spent = 60;
     for (const std::size_t size : sizes) {
         CHECK(static_cast<double>(size) == std::round(60 - 56 * spent / 3000)); // Eq. 10
@@ -379,11 +355,10 @@ TEST_CASE("inherited step sizes multiply by log-normal factors in every generati
 }
 
 TEST_CASE("a learning operator gives the same bits on any threads and after stops") {
-    for (const std::string body :
-         {"cma-es | score", "l-shade | score | duel", "self-adaptive 0.1 | score | plus",
-          "tournament 2 | cross blend | self-adaptive steps=one | score | elite 2",
-          "random | cross blend | score | crowding",
-          "emit 7 first second sigma=0.05 | score | map-elites first second cells=5"}) {
+    for (const std::string body : {"cma-es | score", "l-shade | score | duel", "self-adaptive 0.1 | score | plus",
+                                   "tournament 2 | cross blend | self-adaptive steps=one | score | elite 2",
+                                   "random | cross blend | score | crowding",
+                                   "emit 7 first second sigma=0.05 | score | map-elites first second cells=5"}) {
         CAPTURE(body);
         Reals problem = minimum(10, functions::rastrigin);
         problem.features = {{"first", [](const Vector& x) { return x[0]; }, -5, 5},
@@ -419,8 +394,7 @@ TEST_CASE("a learning operator is refused when nothing repeats or scores it") {
     for (const std::string name : {"de", "l-shade"}) {
         refused("sample 9 | score | repeat 2 { " + name + " | score }",
                 "replaces parents by children that may be worse; put duel after the score");
-        refused("sample 3 | score | repeat 2 { " + name + " | score | duel }",
-                " has 3 individuals; give 4 or more");
+        refused("sample 3 | score | repeat 2 { " + name + " | score | duel }", " has 3 individuals; give 4 or more");
     }
     refused("sample 9 | score | best 5 | islands 8 { score }", " has 5 individuals; give 8 or more");
     refused("sample 12 | score | islands 4 { repeat 2 { de | score | duel } }", " has 3 individuals; give 4");
@@ -428,6 +402,5 @@ TEST_CASE("a learning operator is refused when nothing repeats or scores it") {
     refused("sample 9 | score | repeat 2 { de worst | score }", "; use rand, best or current-to-best");
     refused("sample 9 | score | repeat 2 { de crossing=Exp | score }", "crossing is 'Exp'; use bin or exp");
     refused("sample 9 | score | repeat 2 { self-adaptive steps=two | score }", "; use each or one");
-    refused("sample 9 | score | repeat 2 { cma-es population=1 | score }",
-            "population is '1'; give 0, or 2 or more");
+    refused("sample 9 | score | repeat 2 { cma-es population=1 | score }", "population is '1'; give 0, or 2 or more");
 }

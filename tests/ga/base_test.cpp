@@ -54,8 +54,7 @@ TEST_CASE("parallel work finishes, then throws its first exception in order") {
         CHECK_THROWS_WITH(parallel_for(20, threads,
                                        [&](std::size_t i) {
                                            ++done;
-                                           if (i % 5 != 3)
-                                               return;
+                                           if (i % 5 != 3) return;
                                            std::this_thread::sleep_for(std::chrono::milliseconds(20 - i));
                                            throw std::runtime_error(std::to_string(i));
                                        }),

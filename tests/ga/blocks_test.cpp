@@ -7,9 +7,7 @@ TEST_CASE("a block `until` ends at the first condition that holds") {
     const auto start = run("sample 20 | score", Reals{}).population;
     const auto generations = [&](const std::string& end) {
         std::size_t count = 0;
-        const Observer<Vector> observer = [&](const auto& event) {
-            count += event.path.ends_with("elite.1");
-        };
+        const Observer<Vector> observer = [&](const auto& event) { count += event.path.ends_with("elite.1"); };
         run("until " + end + " " + generation, Reals{}, start, {}, {observer});
         return count;
     };
@@ -21,15 +19,13 @@ TEST_CASE("a block `until` ends at the first condition that holds") {
     CHECK((stuck > 10 && stuck < 100000));
     CHECK(run("until fitness -1e-3 " + generation, Reals{}, start).best->value() >= -1e-3);
     CHECK(run("until seconds 0 " + generation, Reals{}, start, {.variant = "v"}).notes ==
-          std::vector<std::string>{
-              "v/until.1: ended after its seconds; another run may end in another generation"});
+          std::vector<std::string>{"v/until.1: ended after its seconds; another run may end in another generation"});
 }
 
 TEST_CASE("an endless block ends after 10,000 generations without progress, with a note") {
     for (const std::string end : {"fitness 1", "evaluations 1000"})
         CHECK(run("sample 3 | score | until " + end + " { best 3 }", Reals{}, {}, {.variant = "v"}).notes ==
-              std::vector<std::string>{
-                  "v/until.1: ended after 10000 generations without progress towards its end"});
+              std::vector<std::string>{"v/until.1: ended after 10000 generations without progress towards its end"});
 }
 
 TEST_CASE("blocks inside each other, and a long repeat, end together after 10,000 idle generations") {
@@ -43,19 +39,17 @@ TEST_CASE("blocks inside each other, and a long repeat, end together after 10,00
         CHECK(!result.notes.empty());
         CHECK((stages > 10000 && stages < 50000));
     }
-    const auto after =
-        run("sample 1 | score | repeat 20000 { score } | repeat 2 { mutate 1 | score }", Reals{});
+    const auto after = run("sample 1 | score | repeat 20000 { score } | repeat 2 { mutate 1 | score }", Reals{});
     CHECK(after.counters.requested == 3); // a later block begins
 }
 
 TEST_CASE("islands evolve independently and return one population") {
     std::vector<std::string> paths;
     const Observer<Vector> observer = [&](const auto& event) {
-        if (event.path.ends_with("elite.1") && event.generation.back() == 1)
-            paths.push_back(event.path);
+        if (event.path.ends_with("elite.1") && event.generation.back() == 1) paths.push_back(event.path);
     };
-    const auto result = run("sample 30 | score | islands 3 rounds=20 " + generation, Reals{}, {},
-                            {.variant = "v"}, {observer});
+    const auto result =
+        run("sample 30 | score | islands 3 rounds=20 " + generation, Reals{}, {}, {.variant = "v"}, {observer});
     CHECK(result.population.size() == 30);
     CHECK(paths == std::vector<std::string>{"v/islands.1/island1/elite.1", "v/islands.1/island2/elite.1",
                                             "v/islands.1/island3/elite.1"});
@@ -67,8 +61,8 @@ TEST_CASE("islands evolve independently and return one population") {
 }
 
 TEST_CASE("a migrant replaces the worst of the next island") {
-    Vector values = values_of(
-        run("score | islands 2 rounds=2 { random }", given(), individuals({0, 1, 2, 3})).population);
+    Vector values =
+        values_of(run("score | islands 2 rounds=2 { random }", given(), individuals({0, 1, 2, 3})).population);
     std::sort(values.begin(), values.begin() + 2);
     std::sort(values.begin() + 2, values.end());
     CHECK(values == Vector{2, 3, 2, 3});
@@ -81,9 +75,9 @@ TEST_CASE("islands inside islands never give one identity to two individuals") {
             CHECK(genomes.try_emplace(each.identity, each.genome).first->second == each.genome);
     };
     const std::string child = "mutate 1 | score", apart = "islands 2 rounds=3 migrants=0 { ";
-    const auto result = run("sample 16 | score | " + apart + child + " | " + apart + child + " } | " + child +
-                                " } | " + child,
-                            Reals{}, {}, {}, {observer});
+    const auto result =
+        run("sample 16 | score | " + apart + child + " | " + apart + child + " } | " + child + " } | " + child, Reals{},
+            {}, {}, {observer});
     CHECK(genomes.size() == 16 * (1 + 3 * (1 + 3 + 1) + 1));
     CHECK(result.population.size() == 16);
     const auto all = identities_of(result.population);
@@ -115,8 +109,7 @@ TEST_CASE("nested islands run on a bounded number of threads, with the same bits
 TEST_CASE("restarts join the answers of different runs") {
     const auto result = run("restarts 4 { sample 5 | score | best 1 }", Reals{});
     REQUIRE(result.population.size() == 4);
-    for (std::size_t i = 1; i < 4; ++i)
-        CHECK(result.population[i].genome != result.population[0].genome);
+    for (std::size_t i = 1; i < 4; ++i) CHECK(result.population[i].genome != result.population[0].genome);
 }
 
 TEST_CASE("a pair takes each child once and skips parents that have none") {

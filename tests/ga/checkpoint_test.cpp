@@ -23,8 +23,7 @@ Reals slow() {
     Reals problem;
     problem.f = [](const Vector& x) {
         std::this_thread::sleep_for(std::chrono::microseconds(300));
-        if (x[0] > 0.999)
-            throw std::domain_error("first gene above 0.999");
+        if (x[0] > 0.999) throw std::domain_error("first gene above 0.999");
         return x;
     };
     return problem;
@@ -40,16 +39,13 @@ const std::function<void(Checkpoints<Reals>&)> keep_seen = [](Checkpoints<Reals>
     checkpoints.keep("seen", seen);
 };
 
-void write(const fs::path& file, const std::string& content) {
-    std::ofstream(file, std::ios::binary) << content;
-}
+void write(const fs::path& file, const std::string& content) { std::ofstream(file, std::ios::binary) << content; }
 
 /// A checkpoint of a run of `pipeline` that was stopped.
-json stopped(const fs::path& file, const std::string& pipeline, const Reals& problem = {},
-             long evaluations = 30) {
+json stopped(const fs::path& file, const std::string& pipeline, const Reals& problem = {}, long evaluations = 30) {
     Checkpoints<Reals> checkpoints(file, "", false, 0);
-    REQUIRE_FALSE(run(pipeline, problem, {}, {.budget = {.evaluations = evaluations}}, {}, &checkpoints)
-                      .stopped.empty());
+    REQUIRE_FALSE(
+        run(pipeline, problem, {}, {.budget = {.evaluations = evaluations}}, {}, &checkpoints).stopped.empty());
     return json::from_cbor(opened(file));
 }
 /// Resumes from a forged checkpoint whose seal is right.
@@ -251,8 +247,7 @@ TEST_CASE("a checkpoint with a genome, fitness, outcome or count that no run wri
         CAPTURE(place, value);
         json altered = good;
         altered[json::json_pointer(place)] = value;
-        if (place == "/answer")
-            altered[place.substr(1)][0][0] = Vector(5);
+        if (place == "/answer") altered[place.substr(1)][0][0] = Vector(5);
         CHECK_THROWS_WITH(forged(file, altered, pipeline),
                           "checkpoint '" + file.string() +
                               "' has values that no run writes; use one that this version has written, or "
@@ -260,8 +255,7 @@ TEST_CASE("a checkpoint with a genome, fitness, outcome or count that no run wri
     }
     json other_parts = good;
     other_parts["snapshot"] = "text";
-    CHECK_THROWS_WITH(forged(file, other_parts, pipeline),
-                      Catch::Contains("has other parts than a run writes"));
+    CHECK_THROWS_WITH(forged(file, other_parts, pipeline), Catch::Contains("has other parts than a run writes"));
 }
 
 TEST_CASE("a checkpoint does not follow links, and a failed write does not stop the run") {

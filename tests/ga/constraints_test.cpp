@@ -63,10 +63,8 @@ TEST_CASE("levels of the epsilon rule end with their block, and with a run that 
     const auto strict_again = [](const auto& result) {
         for (const auto& each : result.population) {
             double sum = 0;
-            for (const double violation : each.fitness.violations())
-                sum += violation;
-            if (each.fitness.violation() != sum)
-                return false;
+            for (const double violation : each.fitness.violations()) sum += violation;
+            if (each.fitness.violation() != sum) return false;
         }
         return !result.population.empty();
     };

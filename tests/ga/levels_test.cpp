@@ -15,13 +15,11 @@ struct TwoModels {
     using Genome = Vector;
     using Outcome = double;
 
-    std::shared_ptr<std::array<std::atomic<long>, 2>> calls =
-        std::make_shared<std::array<std::atomic<long>, 2>>();
+    std::shared_ptr<std::array<std::atomic<long>, 2>> calls = std::make_shared<std::array<std::atomic<long>, 2>>();
     std::shared_ptr<std::atomic<long>> gradients = std::make_shared<std::atomic<long>>();
     std::vector<ga::LevelPrice> prices = {{"coarse", 1, 2}, {"fine", 3, 6}};
-    std::vector<ga::Objective<Outcome>> list = {
-        {"coarse", [](const Outcome& x) { return -x; }},
-        {"fine", [](const Outcome& x) { return -x; }, false, ga::Level{1}}};
+    std::vector<ga::Objective<Outcome>> list = {{"coarse", [](const Outcome& x) { return -x; }},
+                                                {"fine", [](const Outcome& x) { return -x; }, false, ga::Level{1}}};
 
     Outcome evaluate(const Genome& x) const { return evaluate(x, {}); }
     Outcome evaluate(const Genome& x, ga::Level level) const {
@@ -33,8 +31,7 @@ struct TwoModels {
     const std::vector<ga::LevelPrice>& levels() const { return prices; }
     std::vector<ga::Variable> bounds(const Genome& x) const {
         std::vector<ga::Variable> all;
-        for (std::size_t i = 0; i < x.size(); ++i)
-            all.push_back({i, -1, 1});
+        for (std::size_t i = 0; i < x.size(); ++i) all.push_back({i, -1, 1});
         return all;
     }
     ga::Sensitivity sensitivity(const Genome& x, const std::string&) const {
@@ -48,8 +45,7 @@ struct TwoModels {
 
 ga::Population<Vector> eight() {
     std::vector<Vector> all;
-    for (int i = 0; i < 8; ++i)
-        all.push_back({0.1 * i, 0.3, -0.2});
+    for (int i = 0; i < 8; ++i) all.push_back({0.1 * i, 0.3, -0.2});
     return ga::population(all);
 }
 
@@ -58,8 +54,7 @@ ga::Population<Vector> eight() {
 TEST_CASE("an objective of a second level is evaluated, stored, counted and priced") {
     for (const int threads : {1, 3}) {
         const TwoModels problem;
-        const ga::Pipeline<TwoModels> pipeline =
-            ga::score() | ga::score("fine") | ga::score() | ga::score("fine");
+        const ga::Pipeline<TwoModels> pipeline = ga::score() | ga::score("fine") | ga::score() | ga::score("fine");
         const auto found = ga::run(pipeline, problem, eight(), {.threads = threads});
         CHECK((*problem.calls)[0] == 8);
         CHECK((*problem.calls)[1] == 8);
@@ -77,8 +72,8 @@ TEST_CASE("objectives of two levels rank together") {
     const auto found = ga::run(ga::Pipeline<TwoModels>(ga::pareto({"fine", "coarse"})), problem, eight());
     CHECK(found.counters.price == 32);
     for (const auto& individual : found.population)
-        CHECK(individual.fitness.values() == ga::Point{-problem.evaluate(individual.genome, ga::Level{1}),
-                                                       -problem.evaluate(individual.genome)});
+        CHECK(individual.fitness.values() ==
+              ga::Point{-problem.evaluate(individual.genome, ga::Level{1}), -problem.evaluate(individual.genome)});
 }
 
 TEST_CASE("a budget is the sum of prices and is never exceeded") {

@@ -26,8 +26,7 @@ Population<Vector> scored(const Reals& problem, const std::vector<Vector>& genom
 
 Vector first_genes(const Population<Vector>& population) {
     Vector genes;
-    for (const auto& each : population)
-        genes.push_back(each.genome[0]);
+    for (const auto& each : population) genes.push_back(each.genome[0]);
     std::sort(genes.begin(), genes.end());
     return genes;
 }
@@ -149,10 +148,8 @@ TEST_CASE("MAP-Elites holds the best individual ever seen in every cell") {
                              .population;
     CHECK(archive.size() > 10);
     std::multiset<double> values, expected;
-    for (const auto& each : archive)
-        values.insert(each.value());
-    for (const auto& [place, value] : best)
-        expected.insert(value);
+    for (const auto& each : archive) values.insert(each.value());
+    for (const auto& [place, value] : best) expected.insert(value);
     CHECK(values == expected);
 }
 
@@ -160,8 +157,7 @@ TEST_CASE("MAP-Elites ignores failed individuals and descriptors that are not nu
     Reals f = minimum(
         1, [](const Vector& x) { return x[0] < 0 ? std::nan("") : x[0]; }, -1, 1);
     f.features = {{"x", [](const Vector& x) { return x[0] == 0.25 ? std::nan("") : x[0]; }, -1, 1}};
-    CHECK(first_genes(run("score | repeat 1 { map-elites x cells=4 }", f,
-                          individuals({0.25, -0.5, 0.6, 0.3, 0.4, 0.7}))
+    CHECK(first_genes(run("score | repeat 1 { map-elites x cells=4 }", f, individuals({0.25, -0.5, 0.6, 0.3, 0.4, 0.7}))
                           .population) == Vector{0.3, 0.6});
 }
 
@@ -185,9 +181,8 @@ TEST_CASE("emitted children move along a descriptor's gradient by normal lengths
     f.features[0].gradient = [](Vector x) { return x.pop_back(), std::move(x); };
     const Vector moved = run("emit 1 plane sigma=0.01 | score", f, start).population[0].genome;
     CHECK((moved[0] != 1 && moved[1] - 2 == Approx(2 * (moved[0] - 1)) && moved[2] == 3));
-    CHECK_THROWS_WITH(
-        run("emit 1 plain | score", f, start),
-        Catch::Contains("stage 'emit 1 plain sigma=0.1': unknown descriptor 'plain'; use one of plane"));
+    CHECK_THROWS_WITH(run("emit 1 plain | score", f, start),
+                      Catch::Contains("stage 'emit 1 plain sigma=0.1': unknown descriptor 'plain'; use one of plane"));
 }
 
 TEST_CASE("emitted children climb the fitness by lengths of half a normal distribution") {
@@ -221,6 +216,5 @@ TEST_CASE("an emitter returns its parents when budget or memory end before it ha
     CHECK(large.stopped == "pipeline/emit.1: a population of 100000000 exceeds the 1 MB for one");
     CHECK(large.population.size() == 2);
     f.n = 9; // bounds of genes that the genomes do not have
-    CHECK_THROWS_WITH(scored(f, {{0.1, 0.2, 0.3}}),
-                      Catch::Contains("start 1 is not a genome of the problem"));
+    CHECK_THROWS_WITH(scored(f, {{0.1, 0.2, 0.3}}), Catch::Contains("start 1 is not a genome of the problem"));
 }

@@ -19,8 +19,7 @@ const std::string logged =
 std::string timeless(const std::string& table) {
     std::istringstream lines(table);
     std::string text;
-    for (std::string line; std::getline(lines, line);)
-        text += line.substr(0, line.rfind(',')) + "\n";
+    for (std::string line; std::getline(lines, line);) text += line.substr(0, line.rfind(',')) + "\n";
     return text;
 }
 
@@ -36,8 +35,7 @@ TEST_CASE("a log has one row per stage with the population's fitness") {
     log.close();
     std::istringstream lines(contents(file));
     std::vector<std::string> rows;
-    for (std::string line; std::getline(lines, line);)
-        rows.push_back(line);
+    for (std::string line; std::getline(lines, line);) rows.push_back(line);
     REQUIRE(rows.size() == 1 + 2 + 10 * 5 + 1);
     CHECK(rows[0] == "path,generation,individuals,best,median,diversity,requested,evaluations,gradients,"
                      "failures,price,seconds");
@@ -54,16 +52,15 @@ TEST_CASE("a log that cannot be written does not stop the run and is reported") 
     const Reals problem;
     Log whole(folder / "whole.csv"), nowhere(folder / "gone" / "log.csv"), full(folder / "full.csv");
     fs::create_symlink("/dev/full", folder / "full.csv.part");
-    const auto result = run(logged, problem, {}, {},
-                            {whole.observer(problem), nowhere.observer(problem), full.observer(problem)});
+    const auto result =
+        run(logged, problem, {}, {}, {whole.observer(problem), nowhere.observer(problem), full.observer(problem)});
     CHECK(result.stopped.empty());
     Log taken(folder / "taken.csv");
     run(logged, problem, {}, {}, {taken.observer(problem)});
     fs::remove(folder / "taken.csv.part");
     taken.close();
     CHECK_FALSE(taken.trouble.empty());
-    for (Log* log : {&whole, &nowhere, &full})
-        log->close();
+    for (Log* log : {&whole, &nowhere, &full}) log->close();
     CHECK(whole.trouble.empty());
     CHECK(nowhere.trouble.find("log.csv' cannot be written") != std::string::npos);
     CHECK(full.trouble.find("full.csv' cannot be written") != std::string::npos);
@@ -94,8 +91,7 @@ TEST_CASE("a log and a hall of fame continue when the run is resumed") {
         if (stopped.empty()) {
             log.close();
             REQUIRE(hall.members.size() == 5);
-            for (std::size_t i = 0; i < 5; ++i)
-                CHECK(hall.members[i].genome == all.members[i].genome);
+            for (std::size_t i = 0; i < 5; ++i) CHECK(hall.members[i].genome == all.members[i].genome);
         }
     }
     CHECK(timeless(contents(folder / "parts.csv")) == timeless(contents(folder / "whole.csv")));
@@ -109,8 +105,7 @@ TEST_CASE("a hall of fame keeps the best different genomes, best first") {
     Reals problem = given();
     problem.f = [](const Vector& x) { return Vector{x[0] > 5 ? std::nan("") : x[0]}; };
     HallOfFame<Reals> hall(problem, 3);
-    run("score | best 2 | repeat 1 { below 100 }", problem, individuals({1, 5, 3, 5, 6, 4}), {},
-        {hall.observer()});
+    run("score | best 2 | repeat 1 { below 100 }", problem, individuals({1, 5, 3, 5, 6, 4}), {}, {hall.observer()});
     CHECK(values_of(hall.members) == Vector{5, 4, 3});
     CHECK(hall.members[0].identity == 1);
 }

@@ -10,8 +10,7 @@ std::vector<Point> points(std::size_t n, std::size_t objectives, std::uint64_t s
     Stream stream(seed);
     std::vector<Point> points(n, Point(objectives));
     for (auto& point : points)
-        for (double& value : point)
-            value = static_cast<double>(stream.below(12)); // ties included
+        for (double& value : point) value = static_cast<double>(stream.below(12)); // ties included
     return points;
 }
 
@@ -27,11 +26,9 @@ TEST_CASE("Pareto ranks equal those of the definition") {
                 bool dominated = false;
                 for (std::size_t j = 0; j < distribution.size(); ++j)
                     dominated |= expected[j] >= front && dominates(distribution[j], distribution[i]);
-                if (expected[i] == 99 && !dominated)
-                    members.push_back(i);
+                if (expected[i] == 99 && !dominated) members.push_back(i);
             }
-            for (const std::size_t i : members)
-                expected[i] = front;
+            for (const std::size_t i : members) expected[i] = front;
             left -= members.size();
         }
         CHECK(pareto_ranks(distribution) == expected);
@@ -54,8 +51,7 @@ TEST_CASE("the dominated share grows unless the new point is dominated") {
     double before = 0;
     for (int i = 0; i < 20; ++i) {
         Point point(5);
-        for (double& value : point)
-            value = 3 * stream.uniform();
+        for (double& value : point) value = 3 * stream.uniform();
         points.push_back(point);
         const double share = dominated_share(points, reference, width);
         CHECK(share >= before);
@@ -79,8 +75,7 @@ TEST_CASE("the hypervolume equals that of the union of boxes above the reference
         for (int round = 0; round < 20; ++round) {
             std::vector<Point> points(3, Point(m));
             for (Point& point : points)
-                for (double& value : point)
-                    value = stream.uniform(0, 2);
+                for (double& value : point) value = stream.uniform(0, 2);
             const Point reference(m, 0.25);
             double volume = 0; // inclusion and exclusion
             for (unsigned chosen = 1; chosen < 8; ++chosen) {
@@ -88,13 +83,11 @@ TEST_CASE("the hypervolume equals that of the union of boxes above the reference
                 for (std::size_t k = 0; k < m; ++k) {
                     double least = HUGE_VAL;
                     for (std::size_t i = 0; i < 3; ++i)
-                        if (chosen >> i & 1)
-                            least = std::min(least, points[i][k]);
+                        if (chosen >> i & 1) least = std::min(least, points[i][k]);
                     box *= std::max(0.0, least - reference[k]);
                 }
                 for (std::size_t i = 0; i < 3; ++i)
-                    if (chosen >> i & 1)
-                        box = -box;
+                    if (chosen >> i & 1) box = -box;
                 volume += box;
             }
             CHECK(hypervolume(points, reference) == Approx(volume).margin(1e-12));
@@ -112,22 +105,18 @@ TEST_CASE("the points that add the smallest volumes go first") {
         for (std::size_t i = 0; i < 14; ++i) { // on a sphere: one front
             Point point(m);
             double norm = 0;
-            for (double& value : point)
-                value = stream.uniform(), norm += value * value;
-            for (double& value : point)
-                value /= std::sqrt(norm);
+            for (double& value : point) value = stream.uniform(), norm += value * value;
+            for (double& value : point) value /= std::sqrt(norm);
             left.push_back(point);
             fitness.emplace_back(Name("pareto a b"), point);
         }
-        for (const Fitness& each : fitness)
-            pointers.push_back(&each);
+        for (const Fitness& each : fitness) pointers.push_back(&each);
         Point low = left[0], high = left[0];
         for (const Point& point : left)
             for (std::size_t k = 0; k < m; ++k)
                 low[k] = std::min(low[k], point[k]), high[k] = std::max(high[k], point[k]);
         Point reference(m);
-        for (std::size_t k = 0; k < m; ++k)
-            reference[k] = low[k] - (high[k] - low[k]);
+        for (std::size_t k = 0; k < m; ++k) reference[k] = low[k] - (high[k] - low[k]);
         while (left.size() > 6) {
             std::vector<double> added;
             for (std::size_t i = 0; i < left.size(); ++i) {
@@ -138,8 +127,7 @@ TEST_CASE("the points that add the smallest volumes go first") {
             left.erase(left.begin() + (std::ranges::min_element(added) - added.begin()));
         }
         std::vector<Point> chosen;
-        for (const std::size_t i : chosen_by_hypervolume(pointers, 6, 1))
-            chosen.push_back(fitness[i].values());
+        for (const std::size_t i : chosen_by_hypervolume(pointers, 6, 1)) chosen.push_back(fitness[i].values());
         std::ranges::sort(chosen);
         std::ranges::sort(left);
         CHECK(chosen == left);
@@ -152,8 +140,7 @@ TEST_CASE("reference directions have the counts of Das and Dennis and fill evenl
         const auto all = reference_directions(m, divisions, inner);
         CHECK(all.size() == count);
         CHECK(std::set<Point>(all.begin(), all.end()).size() == count);
-        for (const Point& w : all)
-            CHECK(std::accumulate(w.begin(), w.end(), 0.0) == Approx(1).epsilon(1e-12));
+        for (const Point& w : all) CHECK(std::accumulate(w.begin(), w.end(), 0.0) == Approx(1).epsilon(1e-12));
     }
     CHECK(directions(92).of(3).size() == 91);
     CHECK(directions(100).of(5).size() == 85); // 70 and an inner layer of 15
@@ -162,8 +149,7 @@ TEST_CASE("reference directions have the counts of Das and Dennis and fill evenl
     std::vector<const Fitness*> pointers;
     for (const Point& w : reference_directions(3, 12, 0))
         fitness.emplace_back(Name("pareto a b c"), Point{-w[0], -w[1], -w[2]});
-    for (const Fitness& each : fitness)
-        pointers.push_back(&each);
+    for (const Fitness& each : fitness) pointers.push_back(&each);
     const auto wanted = reference_directions(3, 4, 0);
     Stream stream(1);
     std::set<Point> chosen;
@@ -200,14 +186,14 @@ TEST_CASE("a search minimises an objective that is to be minimised") {
     const auto result = run("sample 30 | score f1 | best 3", schaffer());
     CHECK(result.population[0].value() <= result.population[1].value());
     CHECK(result.best->value() == result.population[0].value());
-    CHECK(run("sample 20 | score | repeat 30 { tournament 2 | mutate 1 | score | elite 1 }", schaffer())
-              .best->value() < 1e-2);
+    CHECK(run("sample 20 | score | repeat 30 { tournament 2 | mutate 1 | score | elite 1 }", schaffer()).best->value() <
+          1e-2);
     CHECK(run("sample 30 | score f1 | below 1 at_least=1", schaffer()).population[0].value() < 1);
 }
 
 TEST_CASE("a search holds the problem's constraints") {
-    const auto result = run(
-        "sample 40 | score | repeat 40 { tournament 2 | cross blend | mutate 0.5 | score | plus }", walled());
+    const auto result =
+        run("sample 40 | score | repeat 40 { tournament 2 | cross blend | mutate 0.5 | score | plus }", walled());
     CHECK(result.best->fitness.feasible());
     CHECK(result.best->value() == Approx(1).margin(0.01));
     for (const auto& each : run("sample 40 | pareto f1 f2 | front", walled()).population)
@@ -220,13 +206,11 @@ TEST_CASE("plus, elite and best keep the front when there are several objectives
     REQUIRE(result.population.size() == 40);
     CHECK(result.front.size() == 40);
     for (const auto& a : result.front)
-        for (const auto& b : result.front)
-            CHECK(!dominates(a.fitness.values(), b.fitness.values()));
+        for (const auto& b : result.front) CHECK(!dominates(a.fitness.values(), b.fitness.values()));
     CHECK(result.best->fitness.minimises());
     CHECK_FALSE(result.front[0].fitness.minimises()); // its values are higher if better
     CHECK(result.best->fitness.objective() == "f1");
-    CHECK(run("sample 40 | pareto f1 f2 | repeat 40 " + children + "elite 10 }", schaffer()).front.size() >=
-          10);
+    CHECK(run("sample 40 | pareto f1 f2 | repeat 40 " + children + "elite 10 }", schaffer()).front.size() >= 10);
 }
 
 TEST_CASE("selection by hypervolume and by directions find a front, with the same bits on any threads") {
@@ -237,10 +221,8 @@ TEST_CASE("selection by hypervolume and by directions find a front, with the sam
         const auto result = run(begin + selection + " }", walled(), {}, {.seed = 3, .threads = 1});
         CHECK(result.population.size() == 20);
         CHECK(result.front.size() > 15);
-        CHECK(bits_of(result) ==
-              bits_of(run(begin + selection + " }", walled(), {}, {.seed = 3, .threads = 3})));
-        for (const auto& each : result.population)
-            CHECK(each.fitness.feasible());
+        CHECK(bits_of(result) == bits_of(run(begin + selection + " }", walled(), {}, {.seed = 3, .threads = 3})));
+        for (const auto& each : result.population) CHECK(each.fitness.feasible());
     }
     const std::string refusal = "pipeline, column 20: stage 'hypervolume 5' needs a population ranked by "
                                 "pareto; put pareto before it";

@@ -33,10 +33,9 @@ TEST_CASE("an algorithm of the paper gives the same bits on 1, 2 and 5 threads")
         CHECK(bits_of(one) == bits_of(with(5)));
     };
     check("score | best 3 | refine mma 5 genes=tenth | refine minimax 8 | best 1", 0.9); // SOG
-    check(
-        "pair(score low | above 0.8 at_least=3, score high | above 0.9 at_least=3, mean) | score | best 3 | "
-        "refine mma 3 genes=tenth | refine lm 20 | best 1",
-        0.999999); // GCO
+    check("pair(score low | above 0.8 at_least=3, score high | above 0.9 at_least=3, mean) | score | best 3 | "
+          "refine mma 3 genes=tenth | refine lm 20 | best 1",
+          0.999999); // GCO
 }
 
 TEST_CASE("an observer sees every stage under its path with each candidate's parents") {
@@ -50,9 +49,8 @@ TEST_CASE("an observer sees every stage under its path with each candidate's par
         "refine mma 3 genes=tenth | refine mma 2 genes=tenth | best 1",
         CurveFit{}, CurveFit::start(60), {.variant = "gco"}, {observer});
     CHECK(paths == std::vector<std::string>{"gco/pair.1/left/score.1", "gco/pair.1/left/above.1",
-                                            "gco/pair.1/right/score.1", "gco/pair.1/right/above.1",
-                                            "gco/pair.1", "gco/score.1", "gco/best.1", "gco/refine.1",
-                                            "gco/refine.2", "gco/best.2"});
+                                            "gco/pair.1/right/score.1", "gco/pair.1/right/above.1", "gco/pair.1",
+                                            "gco/score.1", "gco/best.1", "gco/refine.1", "gco/refine.2", "gco/best.2"});
     CHECK(parents == std::vector<std::size_t>{0, 0, 0, 0, 2, 2, 2, 2, 2, 2});
 }
 
@@ -62,8 +60,7 @@ TEST_CASE("a pipeline that cannot work is refused before anything is evaluated")
     problem.on_evaluation = [&](const Vector&) { ++calls; };
     for (const auto& [pipeline, message] : std::map<std::string, std::string>{
              {"best 1 | score", "stage 'best 1' needs a scored population; put score before it"},
-             {"score | score middle",
-              "stage 'score middle': unknown objective 'middle'; use one of fit, low, high"},
+             {"score | score middle", "stage 'score middle': unknown objective 'middle'; use one of fit, low, high"},
              {"score | elite 1", "stage 'elite 1' reads the start of a generation"},
              {"score | front", "stage 'front' needs a population ranked by pareto"},
              {"refine lm 3", "stage 'refine lm 3 genes=all' needs a scored population"},
@@ -75,8 +72,7 @@ TEST_CASE("a pipeline that cannot work is refused before anything is evaluated")
               "scored by 'pareto fit low'; score both by the same objective"},
              {"pareto fit low | above 1", "stage 'above 1' needs one objective's fitness, the population is "
                                           "ranked by 'pareto fit low'"},
-             {"pareto fit low | until fitness 1 { mutate 1 | pareto fit low }",
-              "needs one objective's fitness"}})
+             {"pareto fit low | until fitness 1 { mutate 1 | pareto fit low }", "needs one objective's fitness"}})
         CHECK_THROWS_WITH(run(pipeline, problem, CurveFit::start(5)), Catch::Contains(message));
     CHECK(calls == 0);
     CHECK_THROWS_WITH(run("score", CurveFit{}, {}),
@@ -105,8 +101,7 @@ TEST_CASE("a scored start competes for the best, unless another problem scored i
     CHECK(run("repeat 3 { random | mutate 1 gaussian 1 | score | elite 1 }", maximum(2, height, -1, 1),
               first.population, {.seed = 2})
               .best->value() >= first.best->value());
-    const auto other =
-        run("score | best 1", maximum(2, [](const Vector& x) { return 1000 + x[0]; }), first.population);
+    const auto other = run("score | best 1", maximum(2, [](const Vector& x) { return 1000 + x[0]; }), first.population);
     CHECK(other.counters.evaluations == 5);
     CHECK(other.best->value() == 1000 + other.best->genome[0]);
 }
@@ -115,25 +110,21 @@ TEST_CASE("individuals of two runs get different identities when they are joined
     auto both = run("sample 10 | score", Reals{}, {}, {.seed = 1}).population;
     const auto other = run("sample 10 | score", Reals{}, {}, {.seed = 2}).population;
     both.insert(both.end(), other.begin(), other.end());
-    const auto all =
-        identities_of(run("score | repeat 1 { mutate 0.9 | score | parents }", Reals{}, both).population);
+    const auto all = identities_of(run("score | repeat 1 { mutate 0.9 | score | parents }", Reals{}, both).population);
     CHECK(std::set<Identity>(all.begin(), all.end()).size() == 40);
 }
 
 TEST_CASE("bounds that do not fit are refused") {
-    const auto refused = [](std::vector<Variable> box, const std::string& pipeline,
-                            const std::string& message) {
+    const auto refused = [](std::vector<Variable> box, const std::string& pipeline, const std::string& message) {
         Reals problem;
         problem.box = [box](const Vector&) { return box; };
-        CHECK_THROWS_WITH(run("sample 2 | score | " + pipeline + " | score", problem),
-                          Catch::Contains(message));
+        CHECK_THROWS_WITH(run("sample 2 | score | " + pipeline + " | score", problem), Catch::Contains(message));
     };
     refused({{1, -1, 1}, {0, -1, 1}}, "cross blend", "ascending order");
     refused({{0, -1, 1}, {0, -1, 1}}, "mutate 1", "ascending order");
     refused({{0, 1, -1}, {1, -1, 1}}, "mutate 1", "above the upper");
     refused({{7, 0, 1}}, "refine nlopt LN_COBYLA 3", "refine: gene 7");
-    refused({{0, -HUGE_VAL, HUGE_VAL}}, "refine nlopt GN_CRS2_LM 8",
-            "refine nlopt GN_CRS2_LM: finite domain");
+    refused({{0, -HUGE_VAL, HUGE_VAL}}, "refine nlopt GN_CRS2_LM 8", "refine nlopt GN_CRS2_LM: finite domain");
 }
 
 TEST_CASE("means of replicates flatter the best less than single draws, more replicates still less") {
@@ -143,8 +134,8 @@ TEST_CASE("means of replicates flatter the best less than single draws, more rep
         double mean = 0;
         for (std::uint64_t seed = 1; seed <= 10; ++seed) {
             const auto result =
-                run("sample 20 | " + scored + " | repeat 20 { tournament 2 | cross blend | mutate 0.5 | " +
-                        scored + " | elite 2" + again + " }",
+                run("sample 20 | " + scored + " | repeat 20 { tournament 2 | cross blend | mutate 0.5 | " + scored +
+                        " | elite 2" + again + " }",
                     problem, {}, {.seed = seed});
             mean += (result.best->value() - height(result.best->genome)) / 10;
         }
@@ -185,8 +176,7 @@ TEST_CASE("ask and tell give the bits of a run, whatever the order of answers") 
             CHECK(search.ask().size() == proposals.size());
             ++told;
         }
-        for (const auto& [id, genome] : proposals)
-            search.tell(id, genome);
+        for (const auto& [id, genome] : proposals) search.tell(id, genome);
         told += proposals.size();
     }
     CHECK(bits_of(search.result()) == bits_of(inside));
@@ -197,8 +187,7 @@ TEST_CASE("ask and tell return what is known when the caller ends early") {
     AskTell<Reals> search(reals(searching), outside());
     auto proposals = search.ask();
     REQUIRE(proposals.size() == 12);
-    for (std::size_t i = 0; i < 5; ++i)
-        search.tell(proposals[i].id, proposals[i].genome);
+    for (std::size_t i = 0; i < 5; ++i) search.tell(proposals[i].id, proposals[i].genome);
     search.fail(proposals[5].id, "broke");
     const auto part = search.result();
     CHECK(part.stopped == "stop requested");
@@ -218,11 +207,9 @@ TEST_CASE("ask and tell throw the run's errors to the caller") {
     CHECK_THROWS_WITH(AskTell<Reals>(reals("score | best 1"), outside()),
                       "the population is empty; give at least one individual, or begin with sample");
     AskTell<Reals> failing(reals(searching), outside());
-    for (const auto& proposal : failing.ask())
-        failing.fail(proposal.id, "broke");
+    for (const auto& proposal : failing.ask()) failing.fail(proposal.id, "broke");
     for (auto open = failing.ask(); !open.empty(); open = failing.ask())
-        for (const auto& proposal : open)
-            failing.fail(proposal.id, "broke");
+        for (const auto& proposal : open) failing.fail(proposal.id, "broke");
     CHECK_THAT(failing.result().stopped, Catch::Contains(" evaluations failed; the first: broke"));
 
     const Observer<Vector> breaks = [](const auto&) { throw std::runtime_error("seen enough"); };
@@ -232,7 +219,6 @@ TEST_CASE("ask and tell throw the run's errors to the caller") {
     AskTell<Reals> search(reals(searching), outside());
     const auto proposals = search.ask();
     search.tell(0, proposals[0].genome);
-    CHECK_THROWS_WITH(search.tell(0, proposals[0].genome),
-                      "proposal 0 is not open; answer one that ask returned");
+    CHECK_THROWS_WITH(search.tell(0, proposals[0].genome), "proposal 0 is not open; answer one that ask returned");
     CHECK_THROWS_AS(search.tell(12, {}), UsageError);
 }

@@ -10,22 +10,19 @@ const Name one(std::string("f")), several(std::string("pareto f g"));
 
 std::vector<double> worth(const std::vector<Fitness>& all) {
     std::vector<const Fitness*> each;
-    for (const Fitness& fitness : all)
-        each.push_back(&fitness);
+    for (const Fitness& fitness : all) each.push_back(&fitness);
     return merits(std::span<const Fitness* const>(each));
 }
 
 Population<int> scored(const std::vector<Fitness>& all) {
     Population<int> individuals = population(std::vector<int>(all.size()));
-    for (std::size_t i = 0; i < all.size(); ++i)
-        individuals[i].fitness = all[i];
+    for (std::size_t i = 0; i < all.size(); ++i) individuals[i].fitness = all[i];
     return individuals;
 }
 
 std::vector<Identity> identities(const Population<int>& individuals) {
     std::vector<Identity> all;
-    for (const auto& each : individuals)
-        all.push_back(each.identity);
+    for (const auto& each : individuals) all.push_back(each.identity);
     return all;
 }
 
@@ -34,8 +31,7 @@ std::vector<Identity> identities(const Population<int>& individuals) {
 TEST_CASE("merits follow Deb's rules when individuals violate constraints or fail") {
     CHECK(worth({Fitness(one, 100).constrained({2}), Fitness(one, 1), Fitness(one, 3),
                  Fitness(one, 100).constrained({0.5}), Fitness::failed(one, reason("broke")), Fitness(one, 3),
-                 Fitness(one, 7).constrained({2})}) ==
-          std::vector<double>{-4, -2, -1, -3, -HUGE_VAL, -1, -4});
+                 Fitness(one, 7).constrained({2})}) == std::vector<double>{-4, -2, -1, -3, -HUGE_VAL, -1, -4});
     CHECK(worth({Fitness(one, 1, true).constrained({1}), Fitness(one, 2, true), Fitness(one, 3, true)}) ==
           std::vector<double>{-3, -1, -2});
     CHECK(worth({Fitness(one, 4, true), Fitness(one, -2, true)}) == std::vector<double>{-4, 2});
@@ -104,13 +100,11 @@ TEST_CASE("a fingerprint depends on every bit of a genome, its order and its len
         add(bytes);
         bytes[bit / 8] = before;
     }
-    for (std::size_t length = 0; length < 70; ++length)
-        add(std::string(length, '\0'));
+    for (std::size_t length = 0; length < 70; ++length) add(std::string(length, '\0'));
     CHECK(all.size() == 1 + 8 * bytes.size() + 70);
     CHECK(fingerprint(std::string_view("abc")) == // as checkpoints hold it
           Fingerprint{0x1a7a74f2493112f3u, 0x81be01565d047e5au});
-    CHECK(fingerprint(std::string_view("0123456789abcdefg")) ==
-          Fingerprint{0xd104d0a51fdea976u, 0xea75ae4e6fd17c8eu});
+    CHECK(fingerprint(std::string_view("0123456789abcdefg")) == Fingerprint{0xd104d0a51fdea976u, 0xea75ae4e6fd17c8eu});
     CHECK(!(fingerprint(std::vector<double>{1, 2, 3}) == fingerprint(std::vector<double>{2, 1, 3})));
     CHECK(!(fingerprint(std::vector<double>{1, 2, 3}) == fingerprint(std::vector<double>{1, 2, 4})));
     CHECK(!(fingerprint(std::vector<bool>{true, false}) == fingerprint(std::vector<bool>{false, true})));

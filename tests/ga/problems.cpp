@@ -13,11 +13,9 @@ const Registry<Reals>& registry() {
         auto all = whole_vocabulary<Reals>();
         all.add({"mean",
                  [](const Individual<Vector>& a, const Individual<Vector>& b) -> std::optional<Vector> {
-                     if (a.identity == b.identity)
-                         return std::nullopt;
+                     if (a.identity == b.identity) return std::nullopt;
                      Vector child = a.genome;
-                     for (std::size_t i = 0; i < child.size(); ++i)
-                         child[i] = (a.genome[i] + b.genome[i]) / 2;
+                     for (std::size_t i = 0; i < child.size(); ++i) child[i] = (a.genome[i] + b.genome[i]) / 2;
                      return child;
                  }},
                 "the parents' mean");
@@ -33,9 +31,8 @@ Result<Vector> run(const std::string& pipeline, const Reals& problem, const Popu
     return run(reals(pipeline), problem, start, options, observers, keeper);
 }
 
-Result<Vector> in_pieces(const std::string& pipeline, const Reals& problem, long step,
-                         const RunOptions& given, const Observers& observers,
-                         const std::function<void(Checkpoints<Reals>&)>& prepare) {
+Result<Vector> in_pieces(const std::string& pipeline, const Reals& problem, long step, const RunOptions& given,
+                         const Observers& observers, const std::function<void(Checkpoints<Reals>&)>& prepare) {
     const tests::Folder folder;
     for (int piece = 0;; ++piece) {
         REQUIRE(piece < 1000);
@@ -43,16 +40,14 @@ Result<Vector> in_pieces(const std::string& pipeline, const Reals& problem, long
         std::atomic<long> left = step;
         Reals stopping = problem;
         stopping.f = [&](const Vector& x) {
-            if (--left == 0)
-                stop = true;
+            if (--left == 0) stop = true;
             return problem.f(x);
         };
         RunOptions options = given;
         options.threads = 1 + piece % 3;
         options.budget.stop = &stop;
         Checkpoints<Reals> checkpoints(folder / "run", "", true, piece % 2 ? 1000 : 0);
-        if (prepare)
-            prepare(checkpoints);
+        if (prepare) prepare(checkpoints);
         auto part = run(pipeline, stopping, {}, options, observers, &checkpoints);
         if (part.stopped != "stop requested") {
             CHECK(piece > 0);
@@ -62,6 +57,5 @@ Result<Vector> in_pieces(const std::string& pipeline, const Reals& problem, long
 }
 
 std::string bits_of(const Result<Vector>& result) {
-    return json({result.population, result.best ? json(*result.best) : json(), result.counters, result.notes})
-        .dump();
+    return json({result.population, result.best ? json(*result.best) : json(), result.counters, result.notes}).dump();
 }

@@ -17,11 +17,9 @@ inline double sphere(const Vector& x) { return std::inner_product(x.begin(), x.e
 /// Condition 1e6, rotated by mirroring at a diagonal plane.
 inline double ellipsoid(const Vector& x) {
     double mean = 0, sum = 0;
-    for (const double each : x)
-        mean += each / static_cast<double>(x.size());
+    for (const double each : x) mean += each / static_cast<double>(x.size());
     for (std::size_t i = 0; i < x.size(); ++i)
-        sum += std::pow(1e6, static_cast<double>(i) / static_cast<double>(x.size() - 1)) *
-               std::pow(x[i] - 2 * mean, 2);
+        sum += std::pow(1e6, static_cast<double>(i) / static_cast<double>(x.size() - 1)) * std::pow(x[i] - 2 * mean, 2);
     return sum;
 }
 inline double rosenbrock(const Vector& x) {
@@ -32,8 +30,7 @@ inline double rosenbrock(const Vector& x) {
 }
 inline double rastrigin(const Vector& x) {
     double sum = 0;
-    for (const double each : x)
-        sum += each * each + 10 * (1 - std::cos(2 * std::numbers::pi * each));
+    for (const double each : x) sum += each * each + 10 * (1 - std::cos(2 * std::numbers::pi * each));
     return sum;
 }
 
@@ -55,29 +52,25 @@ struct Reals {
     std::function<Vector(const Outcome&)> excess = [](const Outcome&) { return Vector(); }; ///< violations
     std::function<Vector(const Genome&)> slope = [](const Genome&) { return Vector(); };
     std::function<std::vector<ga::Variable>(const Genome&)> box = {}; ///< in place of n, lower and upper
-    double noise = 0; ///< standard deviation of each replicate
+    double noise = 0;                                                 ///< standard deviation of each replicate
 
     Outcome evaluate(const Genome& x) const { return noise == 0 ? f(x) : evaluate(x, 0); }
     Outcome evaluate(const Genome& x, std::uint64_t replicate) const {
         Outcome outcome = f(x);
         ga::Stream stream(ga::fold(ga::fold(7, ga::fingerprint(x).low), replicate));
-        for (double& each : outcome)
-            each += noise * stream.normal();
+        for (double& each : outcome) each += noise * stream.normal();
         return outcome;
     }
     const Objectives& objectives() const { return list; }
     std::vector<ga::Variable> bounds(const Genome& x) const {
-        if (box)
-            return box(x);
+        if (box) return box(x);
         std::vector<ga::Variable> all;
-        for (std::size_t i = 0; i < n; ++i)
-            all.push_back({i, lower, upper});
+        for (std::size_t i = 0; i < n; ++i) all.push_back({i, lower, upper});
         return all;
     }
     Genome sample(ga::Stream& stream) const {
         Genome x(n);
-        for (double& gene : x)
-            gene = stream.uniform(std::max(lower, -5.0), std::min(upper, 5.0));
+        for (double& gene : x) gene = stream.uniform(std::max(lower, -5.0), std::min(upper, 5.0));
         return x;
     }
     Vector violation(const Outcome& outcome) const { return excess(outcome); }
@@ -86,8 +79,7 @@ struct Reals {
 };
 
 /// The minimum of a function of n genes.
-inline Reals minimum(std::size_t n, std::function<double(const Vector&)> f, double lower = -5,
-                     double upper = 5) {
+inline Reals minimum(std::size_t n, std::function<double(const Vector&)> f, double lower = -5, double upper = 5) {
     return {n,
             [f](const Vector& x) { return Vector{f(x)}; },
             lower,
@@ -95,8 +87,7 @@ inline Reals minimum(std::size_t n, std::function<double(const Vector&)> f, doub
             {{"f", [](const Vector& y) { return y[0]; }, true}}};
 }
 /// Its maximum.
-inline Reals maximum(std::size_t n, std::function<double(const Vector&)> f, double lower = -5,
-                     double upper = 5) {
+inline Reals maximum(std::size_t n, std::function<double(const Vector&)> f, double lower = -5, double upper = 5) {
     Reals problem = minimum(n, std::move(f), lower, upper);
     problem.list[0].minimise = false;
     return problem;
@@ -111,15 +102,13 @@ inline Reals given() {
 /// Individuals of these genes.
 inline ga::Population<Vector> individuals(const Vector& genes) {
     std::vector<Vector> genomes;
-    for (const double gene : genes)
-        genomes.push_back({gene});
+    for (const double gene : genes) genomes.push_back({gene});
     return ga::population(genomes);
 }
 /// Their values, in order.
 inline Vector values_of(const ga::Population<Vector>& population) {
     Vector values;
-    for (const auto& each : population)
-        values.push_back(each.value());
+    for (const auto& each : population) values.push_back(each.value());
     return values;
 }
 
@@ -150,22 +139,18 @@ struct CurveFit {
                        {"low", [](const Outcome& r) { return 1 - r.head(2).cwiseAbs().maxCoeff(); }},
                        {"high", [](const Outcome& r) { return 1 - r.tail(2).cwiseAbs().maxCoeff(); }}};
     std::function<void(const Genome&)> on_evaluation = [](const Genome&) {};
-    std::function<void(const Genome&, ga::Sensitivity&)> on_sensitivity = [](const Genome&,
-                                                                             ga::Sensitivity&) {};
+    std::function<void(const Genome&, ga::Sensitivity&)> on_sensitivity = [](const Genome&, ga::Sensitivity&) {};
     std::function<void()> on_conversion = [] {};
 
     Outcome residuals(const Genome& g) const {
         Outcome r(5);
         for (int k = 0; k < 5; ++k)
-            r[k] = model(g, x[static_cast<std::size_t>(k)]) /
-                       model({2, 1.5, 0.5}, x[static_cast<std::size_t>(k)]) -
-                   1;
+            r[k] = model(g, x[static_cast<std::size_t>(k)]) / model({2, 1.5, 0.5}, x[static_cast<std::size_t>(k)]) - 1;
         return r;
     }
     Outcome evaluate(const Genome& g) const {
         on_evaluation(g);
-        if (g[1] < -20)
-            throw std::domain_error("rate under -20");
+        if (g[1] < -20) throw std::domain_error("rate under -20");
         return residuals(g);
     }
     const Objectives& objectives() const { return list; }
@@ -222,12 +207,11 @@ ga::Pipeline<CurveFit> curves(const std::string& pipeline);
 
 using Observers = std::vector<ga::Observer<Vector>>;
 /// Runs a pipeline written as text.
-ga::Result<Vector> run(const std::string& pipeline, const Reals& problem,
-                       const ga::Population<Vector>& start = {}, const ga::RunOptions& options = {},
-                       const Observers& observers = {}, ga::Checkpointer<Reals>* keeper = nullptr);
-ga::Result<Vector> run(const std::string& pipeline, const CurveFit& problem,
-                       const ga::Population<Vector>& start, const ga::RunOptions& options = {},
-                       const Observers& observers = {});
+ga::Result<Vector> run(const std::string& pipeline, const Reals& problem, const ga::Population<Vector>& start = {},
+                       const ga::RunOptions& options = {}, const Observers& observers = {},
+                       ga::Checkpointer<Reals>* keeper = nullptr);
+ga::Result<Vector> run(const std::string& pipeline, const CurveFit& problem, const ga::Population<Vector>& start,
+                       const ga::RunOptions& options = {}, const Observers& observers = {});
 
 /// Stops a run every `step` evaluations and resumes it, on 1 to 3 threads, until it ends. `prepare` may keep
 /// values in the checkpoints of each piece.

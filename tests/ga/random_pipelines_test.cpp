@@ -15,8 +15,7 @@ class RandomPipelines {
     /// A pipeline that works on no population.
     Pipeline<Reals> whole() {
         Pipeline<Reals> pipeline = sample(4 + below(9)) | score();
-        for (std::size_t parts = 1 + below(3); parts > 0; --parts)
-            pipeline.append(part(2, false));
+        for (std::size_t parts = 1 + below(3); parts > 0; --parts) pipeline.append(part(2, false));
         return pipeline;
     }
 
@@ -32,22 +31,21 @@ class RandomPipelines {
 
     Pipeline<Reals> selected() {
         const double threshold = -0.25 * static_cast<double>(below(8));
-        return one_of(
-            [&] { return best(1 + below(6)); }, [&] { return tournament(1 + below(9), below(9)); },
-            [&] { return at_random(below(4)); }, [] { return distinct(); }, [] { return roulette(); },
-            [] { return sus(); }, [&] { return rank(1.25 + 0.25 * static_cast<double>(below(4))); },
-            [&] { return above(threshold, at_least(below(4))); }, [&] { return below_threshold(threshold); });
+        return one_of([&] { return best(1 + below(6)); }, [&] { return tournament(1 + below(9), below(9)); },
+                      [&] { return at_random(below(4)); }, [] { return distinct(); }, [] { return roulette(); },
+                      [] { return sus(); }, [&] { return rank(1.25 + 0.25 * static_cast<double>(below(4))); },
+                      [&] { return above(threshold, at_least(below(4))); }, [&] { return below_threshold(threshold); });
     }
     static Pipeline<Reals> below_threshold(double threshold) { return ga::below(threshold, at_least(2)); }
     Pipeline<Reals> varied() {
         const double rate = 0.25 * static_cast<double>(below(5));
-        return then_score(one_of(
-            [&] { return mutate(rate); }, [&] { return mutate(rate, polynomial(1)); },
-            [&] { return mutate(rate, uniform_step(2)); }, [&] { return mutate(rate, reset()); },
-            [&] { return mutate(rate, reverse()); }, [&] { return mutate(rate, ga::swap()); },
-            [&] { return mutate(rate, or_opt()); }, [&] { return cross(uniform(), rate); },
-            [&] { return cross(sbx(1), rate); }, [&] { return cross(blend(0.5)); },
-            [&] { return cross(n_points(1 + below(9))); }, [] { return differential_evolution("best"); }));
+        return then_score(one_of([&] { return mutate(rate); }, [&] { return mutate(rate, polynomial(1)); },
+                                 [&] { return mutate(rate, uniform_step(2)); }, [&] { return mutate(rate, reset()); },
+                                 [&] { return mutate(rate, reverse()); }, [&] { return mutate(rate, ga::swap()); },
+                                 [&] { return mutate(rate, or_opt()); }, [&] { return cross(uniform(), rate); },
+                                 [&] { return cross(sbx(1), rate); }, [&] { return cross(blend(0.5)); },
+                                 [&] { return cross(n_points(1 + below(9))); },
+                                 [] { return differential_evolution("best"); }));
     }
     Pipeline<Reals> refined() {
         const int n = 1 + static_cast<int>(below(6));
@@ -76,14 +74,13 @@ class RandomPipelines {
                           return islands(1 + n, {n, below(3)}, body(depth, true));
                       },
                       [&] {
-                          return then_score(pair(body(depth, false), body(depth, false) | best(3),
-                                                 registry().combines()[0].first));
+                          return then_score(
+                              pair(body(depth, false), body(depth, false) | best(3), registry().combines()[0].first));
                       });
     }
     Pipeline<Reals> body(int depth, bool generations) {
         Pipeline<Reals> pipeline = part(depth - 1, generations);
-        for (std::size_t parts = below(3); parts > 0; --parts)
-            pipeline.append(part(depth - 1, generations));
+        for (std::size_t parts = below(3); parts > 0; --parts) pipeline.append(part(depth - 1, generations));
         return pipeline;
     }
     Pipeline<Reals> part(int depth, bool generations) {
@@ -115,17 +112,14 @@ Reals difficult(std::uint64_t seed, std::atomic<long>& calls) {
     problem.f = [&calls, share = failures[seed / 4 % 4], ties = seed % 5 < 2](const Vector& x) {
         ++calls;
         const double chance = static_cast<double>(fingerprint(x).low >> 11) * 0x1p-53;
-        if (chance < share / 2)
-            throw std::runtime_error("failed");
+        if (chance < share / 2) throw std::runtime_error("failed");
         Vector outcome = x;
-        for (double& each : outcome)
-            each = chance < share ? std::nan("") : ties ? std::round(2 * each) / 2 : each;
+        for (double& each : outcome) each = chance < share ? std::nan("") : ties ? std::round(2 * each) / 2 : each;
         return outcome;
     };
     problem.slope = [](const Vector& x) {
         Vector slope;
-        for (const double each : x)
-            slope.push_back(each < -0.5 ? std::nan("") : -2 * each);
+        for (const double each : x) slope.push_back(each < -0.5 ? std::nan("") : -2 * each);
         return slope;
     };
     if (seed / 16 % 2 == 1)
@@ -165,8 +159,7 @@ int compare_runs(std::uint64_t from, std::uint64_t to) {
         const auto again = run(code, problem, {}, others);
         CHECK(bits_of(again) == bits_of(whole));
         CHECK(again.stopped == whole.stopped);
-        if (whole.counters.evaluations < 4)
-            continue;
+        if (whole.counters.evaluations < 4) continue;
         calls = 0;
         const auto pieces = in_pieces(text, problem, whole.counters.evaluations / 3 + 1, options);
         CHECK(calls == whole.counters.evaluations);

@@ -34,8 +34,7 @@ Landscape rosenbrock(double unit) {
 Landscape noisy_curve() {
     return landscape(Eigen::Vector3d(3.5, 0.4, 1.7), 100, [](const VectorXd& x) {
         Sensitivity at = CurveFit().sensitivity({x[0], x[1], x[2]}, "");
-        for (Eigen::Index k = 0; k < 5; ++k)
-            at.residuals[k] += k % 2 ? 0.2 : -0.1;
+        for (Eigen::Index k = 0; k < 5; ++k) at.residuals[k] += k % 2 ? 0.2 : -0.1;
         return at;
     });
 }
@@ -43,8 +42,7 @@ Landscape noisy_curve() {
 /// Six residuals of 300 variables.
 Landscape many_variables() {
     Eigen::MatrixXd waves(6, 300);
-    for (Eigen::Index i = 0; i < waves.size(); ++i)
-        waves.data()[i] = std::sin(1.7 * static_cast<double>(i * i)) / 10;
+    for (Eigen::Index i = 0; i < waves.size(); ++i) waves.data()[i] = std::sin(1.7 * static_cast<double>(i * i)) / 10;
     return landscape(VectorXd::Constant(300, 0.1), 100, [waves](const VectorXd& x) {
         const Eigen::ArrayXd at = waves * x;
         return Sensitivity{at.sin() + 0.1 * at - 0.5, (at.cos() + 0.1).matrix().asDiagonal() * waves};
@@ -108,13 +106,12 @@ TEST_CASE("Levenberg-Marquardt ignores a variable that descent holds at its boun
     // r = (10 (y - x^2), 1 - x, x y - 2) with y held at 1, where descent would raise it
     const auto row = [](double x, double y, bool both, bool first) {
         Eigen::MatrixXd jacobian{{-20 * x, 10}, {-1, 0}, {y, x}};
-        if (first)
-            jacobian.col(0).swap(jacobian.col(1));
+        if (first) jacobian.col(0).swap(jacobian.col(1));
         return Sensitivity{Eigen::Vector3d(10 * (y - x * x), 1 - x, x * y - 2),
                            both ? jacobian : Eigen::MatrixXd(jacobian.col(first ? 1 : 0))};
     };
-    const Landscape alone = landscape(VectorXd::Constant(1, 3), 10,
-                                      [&](const VectorXd& x) { return row(x[0], 1, false, false); });
+    const Landscape alone =
+        landscape(VectorXd::Constant(1, 3), 10, [&](const VectorXd& x) { return row(x[0], 1, false, false); });
     for (const bool first : {false, true}) { // position of the free variable
         Landscape both = landscape(first ? Eigen::Vector2d(1, 3) : Eigen::Vector2d(3, 1), 10,
                                    [&](const VectorXd& x) { return row(x[first], x[!first], true, first); });
@@ -143,14 +140,13 @@ TEST_CASE("minimax finds Chebyshev's line through a parabola in ten evaluations"
 TEST_CASE("a refinement never asks for more than the budget, on islands too") {
     const auto start = run("score", CurveFit{}, CurveFit::start(6)).population;
     for (const std::string pipeline :
-         {"refine nlopt LN_COBYLA 30", "refine mma 30", "refine minimax 30",
-          "islands 2 rounds=1 { refine lm 30 }", "islands 2 rounds=1 { refine nlopt LN_COBYLA 30 }"})
+         {"refine nlopt LN_COBYLA 30", "refine mma 30", "refine minimax 30", "islands 2 rounds=1 { refine lm 30 }",
+          "islands 2 rounds=1 { refine nlopt LN_COBYLA 30 }"})
         for (const long budget : {20, 40, 41}) {
             const auto result = run(pipeline, CurveFit{}, start, {.budget = {.evaluations = budget}});
             CHECK(result.counters.requested <= budget);
             REQUIRE(result.population.size() == 6);
-            for (const auto& each : result.population)
-                CHECK(each.value() >= start[each.identity].value());
+            for (const auto& each : result.population) CHECK(each.value() >= start[each.identity].value());
         }
 }
 
@@ -185,8 +181,7 @@ TEST_CASE("a refinement never makes an individual worse and never leaves its bou
         const auto result = run("refine " + method, CurveFit{}, start);
         for (std::size_t i = 0; i < start.size(); ++i) {
             CHECK(result.population[i].value() >= start[i].value());
-            for (const double gene : result.population[i].genome)
-                CHECK((gene >= 0 && gene <= 5));
+            for (const double gene : result.population[i].genome) CHECK((gene >= 0 && gene <= 5));
         }
         CHECK(result.best->value() > 0.4);
     }
@@ -194,8 +189,7 @@ TEST_CASE("a refinement never makes an individual worse and never leaves its bou
 
 TEST_CASE("a second refinement keeps the bounds of the original genome") {
     const auto start = CurveFit::start(1);
-    const auto refined =
-        run("score | repeat 50 { refine lm 5 genes=tenth }", CurveFit{}, start).population[0];
+    const auto refined = run("score | repeat 50 { refine lm 5 genes=tenth }", CurveFit{}, start).population[0];
     const Vector& original = start[0].genome;
     for (std::size_t i = 0; i < original.size(); ++i)
         CHECK((refined.genome[i] >= 0.9 * original[i] && refined.genome[i] <= 1.1 * original[i]));
@@ -206,8 +200,7 @@ TEST_CASE("a second refinement keeps the bounds of the original genome") {
 TEST_CASE("a refinement passes around failing evaluations") {
     CurveFit hole;
     hole.on_sensitivity = [](const Vector& g, Sensitivity&) {
-        if (g[0] < 2.2)
-            throw std::domain_error("in the hole");
+        if (g[0] < 2.2) throw std::domain_error("in the hole");
     };
     const auto start = population<Vector>({{3, 1, 0.7}});
     const double before = run("score", hole, start).population[0].value();
@@ -257,8 +250,7 @@ TEST_CASE("an exception of a problem's conversion passes through NLopt unchanged
     for (const std::size_t n : {1u, 3u}) {
         brittle.on_conversion = [] { throw std::domain_error("cannot be"); };
         for (const std::string method : {"nlopt LN_COBYLA", "minimax"})
-            CHECK_THROWS_WITH(run("score | refine " + method + " 8", brittle, CurveFit::start(n)),
-                              "cannot be");
+            CHECK_THROWS_WITH(run("score | refine " + method + " 8", brittle, CurveFit::start(n)), "cannot be");
         brittle.on_conversion = [] { throw 7; };
         CHECK_THROWS_AS(run("score | refine mma 8", brittle, CurveFit::start(n)), int);
     }
@@ -272,17 +264,13 @@ TEST_CASE("every algorithm of NLopt ends, inside the box, when evaluations fail 
             bool all_inside = true;
             Reals problem = minimum(3, {}, -1, 2);
             problem.f = [&](const Vector& x) {
-                for (const double gene : x)
-                    all_inside &= gene >= -1 && gene <= 2;
-                if (kind == 0 && x[0] > 0.9)
-                    throw std::domain_error("failed");
+                for (const double gene : x) all_inside &= gene >= -1 && gene <= 2;
+                if (kind == 0 && x[0] > 0.9) throw std::domain_error("failed");
                 const double far = kind == 1 ? std::nan("") : 1e305;
-                return Vector{x[0] > 0.9 && kind < 3 ? far
-                                                     : std::pow(x[0] - 0.7, 2) + x[1] * x[1] + x[2] * x[2]};
+                return Vector{x[0] > 0.9 && kind < 3 ? far : std::pow(x[0] - 0.7, 2) + x[1] * x[1] + x[2] * x[2]};
             };
             problem.slope = [](const Vector& x) { return Vector{2 * x[0] - 1.4, 2 * x[1], 2 * x[2]}; };
-            if (kind == 3)
-                problem.excess = [](const Vector& y) { return Vector{y[0] - 5, -HUGE_VAL}; };
+            if (kind == 3) problem.excess = [](const Vector& y) { return Vector{y[0] - 5, -HUGE_VAL}; };
             const auto start = population(std::vector<Vector>{{0.2, -0.5, 1.5}, {-0.9, 1.9, 0.5}});
             try { // CHECK would catch what it throws
                 const auto result = run("score | refine nlopt " + name + " 100", problem, start);

@@ -15,13 +15,11 @@ struct Recording : Evaluator<P> {
     explicit Recording(Evaluator<P>& other) : by(other) {}
     void outcomes(const P& problem, std::span<EvaluationCall<P>> calls, const Watch& watch) override {
         batches.push_back(calls.size());
-        for (const EvaluationCall<P>& call : calls)
-            evaluated.push_back(*call.genome);
+        for (const EvaluationCall<P>& call : calls) evaluated.push_back(*call.genome);
         by.outcomes(problem, calls, watch);
     }
     void slopes(const P& problem, std::span<Slope<P>* const> slopes, const Watch& watch) override {
-        for (const Slope<P>* slope : slopes)
-            differentiated.push_back(slope->genome);
+        for (const Slope<P>* slope : slopes) differentiated.push_back(slope->genome);
         by.slopes(problem, slopes, watch);
     }
     int threads() const override { return by.threads(); }
@@ -39,8 +37,7 @@ struct Uneven {
                 const std::lock_guard lock(mutex);
                 threads.insert(std::this_thread::get_id());
             }
-            if (std::abs(x[0]) > 0.3)
-                std::this_thread::sleep_for(std::chrono::milliseconds(5));
+            if (std::abs(x[0]) > 0.3) std::this_thread::sleep_for(std::chrono::milliseconds(5));
             return x;
         };
     }
@@ -48,17 +45,13 @@ struct Uneven {
 
 /// Throws for a first gene below 0, something else than a std::exception above 100; not a number at 50.
 double fragile(double y) {
-    if (y == 50)
-        return std::nan("");
-    if (y < 0)
-        throw std::domain_error("under 0");
-    if (y > 100)
-        throw 7;
+    if (y == 50) return std::nan("");
+    if (y < 0) throw std::domain_error("under 0");
+    if (y > 100) throw 7;
     return y;
 }
 
-const std::vector<std::string> fragile_reasons = {"", "under 0",
-                                                  "an exception of another type than std::exception"};
+const std::vector<std::string> fragile_reasons = {"", "under 0", "an exception of another type than std::exception"};
 
 } // namespace
 
@@ -91,8 +84,7 @@ TEST_CASE("a genome in memory is never evaluated again") {
         const auto result = run_by(record, curves(pipeline), CurveFit{}, CurveFit::start(6));
         CHECK(record.evaluated.size() == static_cast<std::size_t>(result.counters.evaluations));
         CHECK(record.evaluated.size() > 30);
-        CHECK(std::set<Vector>(record.evaluated.begin(), record.evaluated.end()).size() ==
-              record.evaluated.size());
+        CHECK(std::set<Vector>(record.evaluated.begin(), record.evaluated.end()).size() == record.evaluated.size());
         CHECK(record.differentiated.size() == static_cast<std::size_t>(result.counters.gradients));
         CHECK(bits_of(result) == bits_of(run(pipeline, CurveFit{}, CurveFit::start(6))));
     }
@@ -130,10 +122,8 @@ TEST_CASE("an evaluator that throws ends the run with its message, on islands to
     struct Cut : OnThreads<Reals> {
         int batches = 0;
         Cut() : OnThreads<Reals>(1) {}
-        void outcomes(const Reals& problem, std::span<EvaluationCall<Reals>> calls,
-                      const Watch& watch) override {
-            if (++batches == 3)
-                throw std::runtime_error("the cable is cut");
+        void outcomes(const Reals& problem, std::span<EvaluationCall<Reals>> calls, const Watch& watch) override {
+            if (++batches == 3) throw std::runtime_error("the cable is cut");
             OnThreads<Reals>::outcomes(problem, calls, watch);
         }
     } cut;
@@ -147,21 +137,17 @@ TEST_CASE("an evaluation that ends itself at a stop is neither counted nor a fai
         std::atomic<int> begun = 0;
         Reals problem;
         problem.f = [&](const Vector& x) {
-            if (++begun == 10)
-                stop = true;
-            if (stop)
-                throw Stopped{"the licence has run out"};
+            if (++begun == 10) stop = true;
+            if (stop) throw Stopped{"the licence has run out"};
             return x;
         };
-        const auto result =
-            run(refines ? "sample 6 | score | refine nlopt LN_COBYLA 20 | score" : "sample 40 | score",
-                problem, {}, {.threads = 1, .budget = {.stop = &stop}});
+        const auto result = run(refines ? "sample 6 | score | refine nlopt LN_COBYLA 20 | score" : "sample 40 | score",
+                                problem, {}, {.threads = 1, .budget = {.stop = &stop}});
         CHECK(result.stopped == (refines ? "stop requested" : "the licence has run out"));
         CHECK(result.counters.failures == 0);
         CHECK(result.counters.evaluations == 9);
         CHECK(begun == 10); // none is begun after it
-        for (const auto& each : result.population)
-            CHECK_FALSE(each.fitness.has_failed());
+        for (const auto& each : result.population) CHECK_FALSE(each.fitness.has_failed());
     }
 }
 
@@ -173,8 +159,7 @@ TEST_CASE("an evaluation that throws marks its individual, which ranks last with
     CHECK(result.best->identity == 0);
     CHECK(result.population[0].identity == 0);
     CHECK(result.population[1].fitness.reason() == "fitness value is nan");
-    for (std::size_t i = 1; i < 3; ++i)
-        CHECK(result.population[i + 1].fitness.reason() == fragile_reasons[i]);
+    for (std::size_t i = 1; i < 3; ++i) CHECK(result.population[i + 1].fitness.reason() == fragile_reasons[i]);
 }
 
 TEST_CASE("an objective that throws marks its individual with the reason") {
@@ -185,8 +170,7 @@ TEST_CASE("an objective that throws marks its individual with the reason") {
         for (const int threads : {1, 2}) {
             const auto result = run(pipeline, problem, individuals({1, -1, 101}), {.threads = threads});
             REQUIRE(result.population.size() == 3);
-            for (std::size_t i = 0; i < 3; ++i)
-                CHECK(result.population[i].fitness.reason() == fragile_reasons[i]);
+            for (std::size_t i = 0; i < 3; ++i) CHECK(result.population[i].fitness.reason() == fragile_reasons[i]);
             CHECK(result.best->identity == 0);
         }
     CHECK(run("score other", problem, individuals({1, -1, 101})).counters.failures == 0);
@@ -197,8 +181,7 @@ TEST_CASE("a transformation that throws keeps the genome and marks its individua
     for (const auto& before : {reals("score") | half, Pipeline<Reals>(half)}) {
         const auto result = run(before | half | reals("score"), given(), individuals({8, -1, 101}));
         CHECK(result.population[0].value() == 2);
-        for (std::size_t i = 1; i < 3; ++i)
-            CHECK(result.population[i].fitness.reason() == fragile_reasons[i]);
+        for (std::size_t i = 1; i < 3; ++i) CHECK(result.population[i].fitness.reason() == fragile_reasons[i]);
         CHECK(result.population[1].genome == Vector{-1});
         CHECK(result.population[2].genome == Vector{101});
     }
@@ -220,8 +203,7 @@ TEST_CASE("a first batch that fails does not end a run, nor do nine failures of 
     const Reals rare = minimum(2, [](const Vector& x) {
         return x[0] > -4.5 ? throw std::runtime_error("mesh failed") : x[1]; // 5 % succeed
     });
-    const std::string pipeline =
-        "sample 20 | score | repeat 100 { tournament 2 | mutate 0.5 | score | plus }";
+    const std::string pipeline = "sample 20 | score | repeat 100 { tournament 2 | mutate 0.5 | score | plus }";
     int found = 0;
     for (unsigned seed = 1; seed <= 20; ++seed) {
         const auto result = run(pipeline, rare, {}, {.seed = seed, .threads = 1});
@@ -236,8 +218,7 @@ TEST_CASE("a first batch that fails does not end a run, nor do nine failures of 
         CHECK(half.is_dead_end == (share == 0.5)); // six of ten fail
         CHECK(half.best);
         if (half.is_dead_end)
-            CHECK_THAT(half.stopped,
-                       Catch::Contains(" of 1000 evaluations failed; the first: fitness f is "));
+            CHECK_THAT(half.stopped, Catch::Contains(" of 1000 evaluations failed; the first: fitness f is "));
     }
 }
 
@@ -254,9 +235,8 @@ TEST_CASE("one thread calls a problem's members one at a time, on islands too") 
         return std::vector<Variable>{{0, -1, 1}};
     };
     problem.f = [&](const Vector& x) { return visit(), x; };
-    const std::string pipeline =
-        "sample 16 | score | islands 4 rounds=2 { islands 2 rounds=1 { mutate 1 | score } } | "
-        "refine nlopt LN_COBYLA 3";
+    const std::string pipeline = "sample 16 | score | islands 4 rounds=2 { islands 2 rounds=1 { mutate 1 | score } } | "
+                                 "refine nlopt LN_COBYLA 3";
     run(pipeline, problem, {}, {.threads = 1});
     CHECK(most == 1);
 }
@@ -268,8 +248,8 @@ TEST_CASE("an evaluation budget ends a run exactly, with the best so far") {
     CHECK(part.stopped == "evaluation budget spent");
     CHECK(part.population.size() == 7);
     CHECK(part.population[0].value() <= whole.population[0].value());
-    const auto refined = run("score | repeat 1000 { refine mma 2 genes=tenth }", CurveFit{},
-                             CurveFit::start(5), {.budget = {.evaluations = 200}});
+    const auto refined = run("score | repeat 1000 { refine mma 2 genes=tenth }", CurveFit{}, CurveFit::start(5),
+                             {.budget = {.evaluations = 200}});
     CHECK(refined.counters.requested <= 200);
     CHECK(refined.best->value() >= run("score", CurveFit{}, CurveFit::start(5)).best->value());
 }
@@ -278,8 +258,8 @@ TEST_CASE("a stop request ends a run at once with its population, best first") {
     std::atomic<bool> stop = false;
     long stages = 0;
     const Observer<Vector> observer = [&](const auto&) { stop = ++stages == 5000; };
-    const auto result = run("sample 5 | score | repeat 1000000000 { score | above 1 at_least=5 }", Reals{},
-                            {}, {.budget = {.stop = &stop}}, {observer});
+    const auto result = run("sample 5 | score | repeat 1000000000 { score | above 1 at_least=5 }", Reals{}, {},
+                            {.budget = {.stop = &stop}}, {observer});
     CHECK(stages == 5000);
     CHECK(result.stopped == "stop requested");
     REQUIRE(result.population.size() == 5);
@@ -306,15 +286,13 @@ TEST_CASE("every kind of pipeline returns what it has when it is stopped") {
 
 TEST_CASE("a population beyond its memory ends the run with its last population") {
     const auto ends = [](const std::string& pipeline, const std::string& message, std::size_t left) {
-        const auto result =
-            run(pipeline, Reals{}, {}, {.variant = "v", .population_bytes = std::size_t{1} << 22});
+        const auto result = run(pipeline, Reals{}, {}, {.variant = "v", .population_bytes = std::size_t{1} << 22});
         CHECK(result.stopped == "v/" + message + " exceeds the 4 MB for one");
         CHECK(result.population.size() == left);
     };
     ends("sample 300 | score | pair(score, score, mean) | score", "pair.1: a population of 25600", 300);
-    ends("sample 9 | score | repeat 50 { mutate 1 | parents | score }",
-         "repeat.1/parents.1: a population of 36864", 18432);
-    ends("sample 10 | score | tournament 2 size=1000000000 | score",
-         "tournament.1: a population of 1000000000", 10);
+    ends("sample 9 | score | repeat 50 { mutate 1 | parents | score }", "repeat.1/parents.1: a population of 36864",
+         18432);
+    ends("sample 10 | score | tournament 2 size=1000000000 | score", "tournament.1: a population of 1000000000", 10);
     ends("sample 1000000000 | score", "sample.1: a population of 1000000000", 0);
 }

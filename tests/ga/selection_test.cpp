@@ -11,11 +11,9 @@ Vector chosen(const std::string& selection, std::size_t n, std::size_t size, int
     std::iota(values.begin(), values.end(), 0.0);
     const auto stage = reals("score | " + selection);
     for (int seed = 0; seed < draws; ++seed) {
-        const auto result =
-            run(stage, given(), individuals(values), {.seed = static_cast<std::uint64_t>(seed)});
+        const auto result = run(stage, given(), individuals(values), {.seed = static_cast<std::uint64_t>(seed)});
         REQUIRE(result.population.size() == size);
-        for (const auto& each : result.population)
-            counts[each.identity] += 1.0 / draws;
+        for (const auto& each : result.population) counts[each.identity] += 1.0 / draws;
     }
     return counts;
 }
@@ -44,9 +42,9 @@ TEST_CASE("a tournament of k chooses the i-th worst with probability ((i+1)/n)^k
 TEST_CASE("a tournament that draws each lets everyone compete equally often") {
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
         std::array<int, 8> places{}; // even, so that no individual meets itself
-        for (const auto& each : run("score | tournament 2 draw=each", given(),
-                                    individuals({0, 1, 2, 3, 4, 5, 6, 7}), {.seed = seed})
-                                    .population)
+        for (const auto& each :
+             run("score | tournament 2 draw=each", given(), individuals({0, 1, 2, 3, 4, 5, 6, 7}), {.seed = seed})
+                 .population)
             ++places[each.identity];
         CHECK((places[0] == 0 && places[7] == 2));
     }
@@ -83,19 +81,15 @@ TEST_CASE("equal individuals have equal chances under linear ranking") {
     const auto stage = reals("score | rank 2");
     Vector counts(6);
     for (unsigned seed = 0; seed < 3000; ++seed)
-        for (const auto& each :
-             run(stage, given(), individuals({1, 1, 1, 2, 1, 1}), {.seed = seed}).population)
+        for (const auto& each : run(stage, given(), individuals({1, 1, 1, 2, 1, 1}), {.seed = seed}).population)
             counts[each.identity] += 1.0 / 3000;
-    for (std::size_t i = 0; i < 6; ++i)
-        CHECK(counts[i] == Approx(i == 3 ? 2 : 0.8).margin(0.1));
+    for (std::size_t i = 0; i < 6; ++i) CHECK(counts[i] == Approx(i == 3 ? 2 : 0.8).margin(0.1));
 }
 
 TEST_CASE("random keeps different individuals, each with equal chance") {
-    for (const double count : chosen("random 2", 5, 2))
-        CHECK(count == Approx(0.4).margin(5 * std::sqrt(0.24 / 4000)));
+    for (const double count : chosen("random 2", 5, 2)) CHECK(count == Approx(0.4).margin(5 * std::sqrt(0.24 / 4000)));
     for (std::uint64_t seed = 0; seed < 50; ++seed) {
-        const auto two =
-            run("random 2 | score", given(), individuals({0, 1, 2, 3, 4}), {.seed = seed}).population;
+        const auto two = run("random 2 | score", given(), individuals({0, 1, 2, 3, 4}), {.seed = seed}).population;
         CHECK(two[0].identity != two[1].identity);
     }
 }
@@ -123,9 +117,8 @@ TEST_CASE("a selection in proportion to the fitness is refused when there are se
 
 TEST_CASE("a replacement keeps the population's size, and elite and plus its best") {
     const std::string children = "tournament 2 | cross uniform | mutate 0.2 | score | ";
-    for (const std::string& body :
-         {children + "elite 1", children + "elite 5", children + "plus", children + "plus 20",
-          std::string("tournament 2 size=2 | cross blend | score | steady")}) {
+    for (const std::string& body : {children + "elite 1", children + "elite 5", children + "plus", children + "plus 20",
+                                    std::string("tournament 2 size=2 | cross blend | score | steady")}) {
         CAPTURE(body);
         std::vector<double> bests;
         const Observer<Vector> observer = [&](const auto& event) {
@@ -154,12 +147,10 @@ TEST_CASE("distinct and plus with copies=none keep different genomes") {
     CHECK(kept("distinct 0.5", {1, 1, 2, 2, 3}) == std::vector<Identity>{0, 4}); // half of the width is 1
     const auto all = [](const std::string& plus) {
         return values_of(
-            run("score | repeat 1 { score | " + plus + " }", given(), individuals({1, 3, 2, 3, 1}))
-                .population);
+            run("score | repeat 1 { score | " + plus + " }", given(), individuals({1, 3, 2, 3, 1})).population);
     };
     CHECK(all("plus 4") == Vector{3, 3, 2, 1});
     CHECK(all("plus 3 copies=none") == Vector{3, 2, 1});
     CHECK(all("plus 5 copies=none") == Vector{3, 2, 1, 3, 1}); // copies fill the other places
-    CHECK_THROWS_WITH(reals("plus copies=some"),
-                      "pipeline, column 1: stage 'plus': copies is 'some'; use any or none");
+    CHECK_THROWS_WITH(reals("plus copies=some"), "pipeline, column 1: stage 'plus': copies is 'some'; use any or none");
 }

@@ -30,8 +30,7 @@ struct AtSpread : StoppingRule {
 TEST_CASE("a new stopping rule ends its block, in code and in text") {
     const auto body = reals("tournament 2 | cross blend 0.1 | score");
     const auto result = run(reals("sample 30 | score") | until(AtSpread{{}, 0.01}, body), Reals{}, {});
-    for (const auto& each : result.population)
-        CHECK(std::abs(each.genome[0] - result.population[0].genome[0]) <= 0.01);
+    for (const auto& each : result.population) CHECK(std::abs(each.genome[0] - result.population[0].genome[0]) <= 0.01);
     auto words = registry();
     words.add_rule<AtSpread>();
     const std::string text =
@@ -39,8 +38,7 @@ TEST_CASE("a new stopping rule ends its block, in code and in text") {
     const auto stage = Parser<Reals>(words).parse(text);
     CHECK(stage.text() == text);
     CHECK(run(stage, Reals{}, {}).population[0].genome == result.population[0].genome);
-    CHECK(run(reals("sample 30 | score") | until(any_of(AfterGenerations{{}, 2}, AtSpread{{}, 0}), body),
-              Reals{}, {})
+    CHECK(run(reals("sample 30 | score") | until(any_of(AfterGenerations{{}, 2}, AtSpread{{}, 0}), body), Reals{}, {})
               .counters.requested <= 90);
 }
 
@@ -49,8 +47,7 @@ TEST_CASE("a population has converged when all are feasible and their objectives
     Numbers memory;
     const auto holds = [&](const std::vector<Fitness>& all) {
         Population<Vector> population(all.size());
-        for (std::size_t i = 0; i < all.size(); ++i)
-            population[i].fitness = all[i];
+        for (std::size_t i = 0; i < all.size(); ++i) population[i].fitness = all[i];
         return rule(BlockProgress<Vector>{1, 10, 0, population}, memory);
     };
     const auto worth = [](double value, bool minimise = false, double violation = 0) {
@@ -70,17 +67,15 @@ TEST_CASE("a population has converged when all are feasible and their objectives
 TEST_CASE("a front that grows from one individual is not stagnation") {
     Reals problem;
     problem.n = 2, problem.lower = 0;
-    problem.list = {{"f1", [](const Vector& x) { return x[0]; }, true},
-                    {"f2",
-                     [](const Vector& x) { return (1 + 9 * x[1]) * (1 - std::sqrt(x[0] / (1 + 9 * x[1]))); },
-                     true}};
+    problem.list = {
+        {"f1", [](const Vector& x) { return x[0]; }, true},
+        {"f2", [](const Vector& x) { return (1 + 9 * x[1]) * (1 - std::sqrt(x[0] / (1 + 9 * x[1]))); }, true}};
     for (const std::size_t copies : {1, 20}) {
         const auto result = run("pareto f1 f2 | until stagnation 10 generations 500 { tournament 2 size=20 | "
                                 "cross sbx | mutate 0.5 polynomial | pareto f1 f2 | plus 20 } | front",
                                 problem, population(std::vector<Vector>(copies, Vector{0, 0})));
         double widest = 0;
-        for (const auto& each : result.population)
-            widest = std::max(widest, each.genome[0]);
+        for (const auto& each : result.population) widest = std::max(widest, each.genome[0]);
         CHECK(widest > 0.9); // the front reaches to 1
     }
 }

@@ -25,11 +25,9 @@ struct Boxed : Any<G> {
     double lower = -HUGE_VAL, upper = HUGE_VAL;
     std::vector<Variable> box = {};
     std::vector<Variable> bounds(const G& g) const {
-        if (!box.empty())
-            return box;
+        if (!box.empty()) return box;
         std::vector<Variable> all;
-        for (std::size_t i = 0; i < g.size(); ++i)
-            all.push_back({i, lower, upper});
+        for (std::size_t i = 0; i < g.size(); ++i) all.push_back({i, lower, upper});
         return all;
     }
 };
@@ -68,10 +66,9 @@ std::vector<std::array<double, 2>> children_of(const auto& way, const Box& probl
 
 TEST_CASE("variation keeps a population's size and bounds, and marks children") {
     for (const std::string variation :
-         {"cross one_point", "cross n_points 3", "cross uniform", "cross blend", "cross sbx 5",
-          "cross sbx 5 rate=0.5", "mutate 0.3", "mutate 0.3 gaussian 0.5", "mutate 0.3 uniform 0.5",
-          "mutate 0.3 polynomial 5", "mutate 0.3 reset", "mutate 0.3 swap", "mutate 0.3 reverse",
-          "mutate 0.3 insertion", "mutate 0.3 or_opt"})
+         {"cross one_point", "cross n_points 3", "cross uniform", "cross blend", "cross sbx 5", "cross sbx 5 rate=0.5",
+          "mutate 0.3", "mutate 0.3 gaussian 0.5", "mutate 0.3 uniform 0.5", "mutate 0.3 polynomial 5",
+          "mutate 0.3 reset", "mutate 0.3 swap", "mutate 0.3 reverse", "mutate 0.3 insertion", "mutate 0.3 or_opt"})
         for (std::uint64_t seed = 0; seed < 5; ++seed) {
             CAPTURE(variation, seed);
             const auto start = run("sample 31 | score", Reals{}, {}, {.seed = seed}).population;
@@ -80,8 +77,7 @@ TEST_CASE("variation keeps a population's size and bounds, and marks children") 
             REQUIRE(result.size() == 31);
             bool changed = false;
             for (std::size_t i = 0; i < result.size(); ++i) {
-                for (const double gene : result[i].genome)
-                    REQUIRE(std::abs(gene) <= 1);
+                for (const double gene : result[i].genome) REQUIRE(std::abs(gene) <= 1);
                 if (result[i].genome != start[i].genome) {
                     changed = true;
                     CHECK(result[i].identity != start[i].identity);
@@ -110,12 +106,10 @@ TEST_CASE("n points cut two genomes into n + 1 alternating pieces") {
     for (const std::size_t length : {2u, 12u})
         for (const std::size_t n : {1u, 2u, 3u, 7u, 11u})
             for (std::uint64_t seed = 0; seed < 30; ++seed) {
-                const auto child =
-                    crossed(n_points(n), Bits(),
-                            {{std::vector<bool>(length), std::vector<bool>(length, true)}}, seed)[0];
+                const auto child = crossed(n_points(n), Bits(),
+                                           {{std::vector<bool>(length), std::vector<bool>(length, true)}}, seed)[0];
                 std::size_t changes = 0;
-                for (std::size_t i = 0; i + 1 < length; ++i)
-                    changes += child[i] != child[i + 1];
+                for (std::size_t i = 0; i + 1 < length; ++i) changes += child[i] != child[i + 1];
                 CHECK(changes == std::min(n, length - 1));
             }
 }
@@ -126,8 +120,7 @@ TEST_CASE("uniform cross-over exchanges each position with probability 1/2") {
     for (std::uint64_t seed = 0; seed < 100; ++seed) {
         const auto child =
             crossed(uniform(), Bits(), {{std::vector<bool>(200), std::vector<bool>(200, true)}}, seed)[0];
-        for (std::size_t i = 0; i < 200; ++i)
-            at[i] += child[i] ? 1 : 0;
+        for (std::size_t i = 0; i < 200; ++i) at[i] += child[i] ? 1 : 0;
     }
     for (const int times : at) {
         exchanged += times;
@@ -151,8 +144,7 @@ TEST_CASE("simulated binary cross-over follows its published density, also near 
         CHECK(free.size() == Approx(2000).margin(5 * std::sqrt(4000 * 0.25)));
         const double most = 1 + 2 * 0.1; // a child at the bound
         for (const auto& [below, above] : children_of(sbx(eta), Box{{}, -0.1}, 0, 1))
-            if (below != 0)
-                beside.push_back(1 - 2 * below);
+            if (below != 0) beside.push_back(1 - 2 * below);
         CHECK(distance(beside, [&](double beta) { return spread(beta) / spread(most); }) < 1.95);
     }
     int exchanged = 0;
@@ -187,8 +179,7 @@ TEST_CASE("reset draws each other value of a whole number with equal chance") {
     std::map<int, int> counts;
     const Boxed<std::vector<int>> whole{{}, -2, 3};
     for (std::uint64_t seed = 0; seed < 1000; ++seed)
-        for (const int gene : mutated(reset(), whole, std::vector<int>(5, 1), 1, seed))
-            ++counts[gene];
+        for (const int gene : mutated(reset(), whole, std::vector<int>(5, 1), 1, seed)) ++counts[gene];
     CHECK(counts.size() == 5);
     CHECK(counts.count(1) == 0);
     for (const auto& [value, count] : counts) {
@@ -216,8 +207,7 @@ TEST_CASE("mutations of real genes have their published densities") {
     CHECK(distance(steps(reset()), [](double x) { return (x + 1.25) / 2; }) < 1.95);
     for (const double eta : {3.0, 20.0}) // Deb and Goyal 1996
         CHECK(distance(steps(polynomial(eta)), [&](double x) {
-                  const double p = eta + 1, below = std::pow(1 - 1.25 / 2, p),
-                               above = std::pow(1 - 0.75 / 2, p);
+                  const double p = eta + 1, below = std::pow(1 - 1.25 / 2, p), above = std::pow(1 - 0.75 / 2, p);
                   return x < 0 ? (std::pow(1 + x / 2, p) - below) / (1 - below) / 2
                                : 1 - (std::pow(1 - x / 2, p) - above) / (1 - above) / 2;
               }) < 1.95);
@@ -228,13 +218,11 @@ TEST_CASE("permutations stay permutations") {
         Stream stream(3);
         const Permutation start = Permutation::random(13, stream);
         auto genomes = std::array{start, Permutation::random(13, stream)};
-        for (int i = 0; i < 50; ++i)
-            variation(genomes, stream);
+        for (int i = 0; i < 50; ++i) variation(genomes, stream);
         CHECK(genomes[0].order != start.order);
         for (auto& [order] : genomes) {
             std::sort(order.begin(), order.end());
-            for (std::uint32_t k = 0; k < 13; ++k)
-                CHECK(order[k] == k);
+            for (std::uint32_t k = 0; k < 13; ++k) CHECK(order[k] == k);
         }
     };
     check([](auto& genomes, Stream& stream) { order()(Orders(), genomes[0], genomes[1], stream); });
@@ -251,12 +239,10 @@ TEST_CASE("order and partially mapped cross-over keep a piece and follow their d
             std::vector<std::uint32_t> rest = b.order, child = a.order; // Davis
             std::rotate(rest.begin(), rest.begin() + static_cast<long>(to % 8), rest.end());
             std::erase_if(rest, [&](std::uint32_t gene) { return gene >= from && gene < to; });
-            for (std::size_t i = 0; i < rest.size(); ++i)
-                child[(to + i) % 8] = rest[i];
+            for (std::size_t i = 0; i < rest.size(); ++i) child[(to + i) % 8] = rest[i];
             ordered.insert(child);
             child = b.order; // Goldberg and Lingle: exchanges in the other parent
-            for (std::size_t i = from; i < to; ++i)
-                std::swap(child[i], *std::ranges::find(child, a.order[i]));
+            for (std::size_t i = from; i < to; ++i) std::swap(child[i], *std::ranges::find(child, a.order[i]));
             mapped.insert(child);
         }
     for (std::uint64_t seed = 0; seed < 400; ++seed) {
@@ -280,8 +266,7 @@ std::size_t foreign_edges(const Permutation& child, const Permutation& a, const 
     auto parental = edges(a);
     parental.merge(edges(b));
     std::size_t foreign = 0;
-    for (const auto& edge : edges(child))
-        foreign += parental.contains(edge) ? 0 : 1;
+    for (const auto& edge : edges(child)) foreign += parental.contains(edge) ? 0 : 1;
     return foreign;
 }
 
@@ -346,11 +331,10 @@ TEST_CASE("operators on permutations give permutations and few new edges") {
 TEST_CASE("a varied gene is finite when bounds are infinite or a parent is outside") {
     const auto finite = [](const Reals& problem, double x, double y, double low, double high) {
         const auto start = individuals({x, y, x, y});
-        for (const std::string variation : {"cross sbx 2", "cross blend", "mutate 1 polynomial 5",
-                                            "mutate 1 gaussian 0.2", "mutate 1 reset"})
+        for (const std::string variation :
+             {"cross sbx 2", "cross blend", "mutate 1 polynomial 5", "mutate 1 gaussian 0.2", "mutate 1 reset"})
             for (std::uint64_t seed = 0; seed < 40; ++seed)
-                for (const auto& each :
-                     run(variation + " | score", problem, start, {.seed = seed}).population)
+                for (const auto& each : run(variation + " | score", problem, start, {.seed = seed}).population)
                     REQUIRE((each.genome[0] >= low && each.genome[0] <= high));
     };
     Reals problem = given();
@@ -372,9 +356,7 @@ TEST_CASE("a problem's mutation and cross-over replace the common ones") {
             genome[0] += rate;
             return genome[0] < 2;
         }
-        void cross_points(Vector& a, Vector& b, std::size_t n, Stream&) const {
-            a[0] = b[0] = static_cast<double>(n);
-        }
+        void cross_points(Vector& a, Vector& b, std::size_t n, Stream&) const { a[0] = b[0] = static_cast<double>(n); }
     };
     CHECK(mutated(Natural(), Own(), Vector{1}, 0.25) == Vector{1.25});
     CHECK(crossed(n_points(3), Own(), {{{1}, {3}}}) == Couple<Own>{{{3}, {3}}});

@@ -15,14 +15,12 @@ int main(int, char** words) {
             return 7;
         }
         std::replace_if(
-            line.begin(), line.end(),
-            [](char c) { return std::string("{}[]:,").find(c) != std::string::npos; }, ' ');
+            line.begin(), line.end(), [](char c) { return std::string("{}[]:,").find(c) != std::string::npos; }, ' ');
         std::istringstream in(line); // "id" 1 "genes" 0.5 1
         std::string id, word;
         in >> word >> id >> word;
         std::vector<double> x;
-        for (double gene; in >> gene;)
-            x.push_back(gene);
+        for (double gene; in >> gene;) x.push_back(gene);
         in.clear();
         in >> word; // the first gene that is a word
         double sum = 0, squares = 0, steps = 0;
@@ -40,8 +38,7 @@ int main(int, char** words) {
         else if (function == "schaffer") // whose front is 0 <= x <= 2
             std::cout << x[0] * x[0] << "," << (x[0] - 2) * (x[0] - 2) << "]}";
         else if (function == "mixed") // best at 7, 0.5 and "b"
-            std::cout << (word == "\"b\"" ? 1 : 0) - (x[0] - 7) * (x[0] - 7) - (x[1] - 0.5) * (x[1] - 0.5)
-                      << "]}";
+            std::cout << (word == "\"b\"" ? 1 : 0) - (x[0] - 7) * (x[0] - 7) - (x[1] - 0.5) * (x[1] - 0.5) << "]}";
         else if (function == "held") // x where x <= 0.25
             std::cout << x[0] << "],\"violation\":" << x[0] - 0.25 << "}";
         else

@@ -42,10 +42,9 @@ CapRun cap_run_from(const Settings& settings) {
     auto others = names_of(joined({scan_settings(), {resolution_setting()}, search_settings()}));
     others.insert(others.end(), {"like", "from", "control", "largest-change"});
     std::erase_if(others, [](const std::string& name) {
-        return rough::is_in(
-            " variant pipeline seconds evaluations alternatives seed threads reach-similarity "
-            "nodes material modulus poisson ",
-            name);
+        return rough::is_in(" variant pipeline seconds evaluations alternatives seed threads reach-similarity "
+                            "nodes material modulus poisson ",
+                            name);
     });
     expect_none(settings, others, "given with --asperities; omit it, as it is for sums of cosines only");
     CapRun run;
@@ -57,12 +56,9 @@ CapRun cap_run_from(const Settings& settings) {
     settings.take("pitch", setup.array.pitch);
     if (settings.has("radius") && settings.has("radii"))
         settings.refuse("radii", "given with ", settings.place("radius"), "; give one of both");
-    if (settings.has("radius"))
-        setup.radii.from = setup.radii.to = settings.number("radius");
-    if (settings.has("radii"))
-        setup.radii = range_from(settings, "radii");
-    if (settings.has("heights"))
-        setup.heights = range_from(settings, "heights");
+    if (settings.has("radius")) setup.radii.from = setup.radii.to = settings.number("radius");
+    if (settings.has("radii")) setup.radii = range_from(settings, "radii");
+    if (settings.has("heights")) setup.heights = range_from(settings, "heights");
     setup.positions = settings.is_on("positions");
     settings.take("reach-similarity", setup.required_similarity);
     if (settings.has("nodes")) {
@@ -75,13 +71,11 @@ CapRun cap_run_from(const Settings& settings) {
     setup.targets = targets_from(settings, model);
     placing(settings, "", [&] { return rough::CapProblem(setup); });
     settings.take("accuracy", model.accuracy);
-    if (only_areas(setup) && model.accuracy >= independent_error)
-        setup.model = rough::CapModel::independent;
+    if (only_areas(setup) && model.accuracy >= independent_error) setup.model = rough::CapModel::independent;
     run.options.pipeline = pipeline_from(settings, cap_variants(setup), "default");
     take(settings, app::bindings_of(run.options));
-    run.unreachable =
-        rough::unreachable(out_of_reach(setup), settings.has("reach-similarity") ? setup.required_similarity
-                                                                                 : rough::exact_enough);
+    run.unreachable = rough::unreachable(
+        out_of_reach(setup), settings.has("reach-similarity") ? setup.required_similarity : rough::exact_enough);
     return run;
 }
 
@@ -96,16 +90,16 @@ Summary summary_of(const CapRun& run) {
                           "; no similarity is above " + readable(run.unreachable.bound, 4) +
                           "; the best design found has " + readable(run.found.best.similarity, 4);
     else if (std::isnan(lowest))
-        summary.verdict = "not verified: similarity " + readable(run.found.best.similarity, 4) + " by " +
-                          model + ", no time was left for boundary elements" + wanted;
+        summary.verdict = "not verified: similarity " + readable(run.found.best.similarity, 4) + " by " + model +
+                          ", no time was left for boundary elements" + wanted;
     else
         summary.verdict = (summary.found ? "found" : missed_by(run.found)) + ": lowest similarity " +
                           readable(lowest, 5) + ", by " + model + " and by boundary elements at " +
                           std::to_string(verified.meshed.size()) + " points" + wanted;
     std::string errors = "not known, because boundary elements have not verified all loads", tolerated;
     if (!verified.meshed.empty() && !run.interrupted)
-        errors = "independent caps differ from interacting ones by " + percent(run.other_model_error) + "; " +
-                 model + " from boundary elements by " + percent(verified.area_error) + " in area and by " +
+        errors = "independent caps differ from interacting ones by " + percent(run.other_model_error) + "; " + model +
+                 " from boundary elements by " + percent(verified.area_error) + " in area and by " +
                  percent(verified.force_error) + " of the largest force";
     for (const rough::HeightTolerance& one : run.tolerance)
         tolerated += (tolerated.empty() ? "errors of the heights that keep the law: " : ", ") +
@@ -121,8 +115,7 @@ Summary summary_of(const CapRun& run) {
 json answer_json(const CapRun& run) {
     const auto genome = [&](const rough::CapGenome& genes) {
         const rough::Caps caps = caps_of(run.setup, genes);
-        json all = {
-            {"columns", caps.array.columns}, {"rows", caps.array.rows}, {"pitch_mm", caps.array.pitch}};
+        json all = {{"columns", caps.array.columns}, {"rows", caps.array.rows}, {"pitch_mm", caps.array.pitch}};
         for (rough::Index i = 0; i < caps.heights.size(); ++i)
             all["asperities"].push_back({{"height_mm", caps.heights[i]}, {"radius_mm", caps.radii[i]}});
         return all;
@@ -148,17 +141,15 @@ json answer_json(const CapRun& run) {
                   {"seconds", verified.seconds}}},
                 {"model_difference", run.other_model_error},
                 {"alternatives", json::array()}};
-    for (json& stage : answer["stages"])
-        stage.erase("spent"), stage.erase("derived");
+    for (json& stage : answer["stages"]) stage.erase("spent"), stage.erase("derived");
     for (std::size_t s = 0; s < verified.meshed.size(); ++s) {
         const rough::MeshedCaps& mesh = verified.meshed[s];
-        answer["verification"]["loads"].push_back(
-            {{"load_N", mesh.load},
-             {"area_mm2", mesh.area.sum()},
-             {"area_from_nodes_mm2", {mesh.area_low.sum(), mesh.area_high.sum()}},
-             {"area_by_model_mm2", verified.states[s].total_area()},
-             {"approach_mm", mesh.approach},
-             {"kkt_residual", mesh.kkt_residual}});
+        answer["verification"]["loads"].push_back({{"load_N", mesh.load},
+                                                   {"area_mm2", mesh.area.sum()},
+                                                   {"area_from_nodes_mm2", {mesh.area_low.sum(), mesh.area_high.sum()}},
+                                                   {"area_by_model_mm2", verified.states[s].total_area()},
+                                                   {"approach_mm", mesh.approach},
+                                                   {"kkt_residual", mesh.kkt_residual}});
     }
     for (const rough::CapAnswer& one : run.found.alternatives)
         answer["alternatives"].push_back(
@@ -201,9 +192,8 @@ void write_tables(const CapRun& run, const std::filesystem::path& folder) {
         table.row(setup.array.x(i), setup.array.y(i), caps.heights[i], caps.radii[i]);
         for (std::size_t s = 0; s < verified.meshed.size(); ++s) {
             const rough::MeshedCaps& mesh = verified.meshed[s];
-            spots.row(mesh.load, setup.array.x(i), setup.array.y(i),
-                      std::sqrt(mesh.area[i] / std::numbers::pi), mesh.force[i], verified.states[s].force[i],
-                      mesh.area[i], mesh.area_low[i], mesh.area_high[i]);
+            spots.row(mesh.load, setup.array.x(i), setup.array.y(i), std::sqrt(mesh.area[i] / std::numbers::pi),
+                      mesh.force[i], verified.states[s].force[i], mesh.area[i], mesh.area_low[i], mesh.area_high[i]);
         }
     }
     for (std::size_t t = 0; t < setup.targets.size(); ++t) {
@@ -212,8 +202,7 @@ void write_tables(const CapRun& run, const std::filesystem::path& folder) {
         drawn.x = Eigen::VectorXd::LinSpaced(drawn_points, 0.2 * target.x[0], target.last());
         const rough::WrittenColumns columns = columns_of(target);
         curves.points(drawn.x / columns.x_unit,
-                      curve_of(setup, drawn, best.genome, setup.model).values / columns.y_unit, t + 1,
-                      "answer");
+                      curve_of(setup, drawn, best.genome, setup.model).values / columns.y_unit, t + 1, "answer");
         const Eigen::VectorXd misfits =
             misfit(target, curve_of(setup, target, best.genome, setup.model).values) / target.weight;
         add_points(points, t + 1, target, misfits, Eigen::VectorXd::Constant(target.points(), NAN));
@@ -224,8 +213,7 @@ void write_tables(const CapRun& run, const std::filesystem::path& folder) {
     rough::Profile tile = map_of(caps, solid_nodes, true, base_depth * caps.radii.minCoeff());
     write_solids(tile, {}, folder, "tile");
     const rough::Index columns = tile.shape().columns; // the mould is turned over, about y
-    for (rough::Index row = 0; row < tile.rows; ++row)
-        tile.heights.segment(row * columns, columns).reverseInPlace();
+    for (rough::Index row = 0; row < tile.rows; ++row) tile.heights.segment(row * columns, columns).reverseInPlace();
     tile.heights *= -1;
     write_solids(tile, {}, folder, "mould");
 }
@@ -235,8 +223,7 @@ void write_tables(const CapRun& run, const std::filesystem::path& folder) {
 std::vector<Setting> asperity_settings() {
     return joined(
         {cap_settings(),
-         {{"positions", "", "exchange caps at the end of the usual search, which changes interaction only",
-           true},
+         {{"positions", "", "exchange caps at the end of the usual search, which changes interaction only", true},
           accuracy_setting("interacting caps; from 0.02 on, caps that do not interact serve areas")}});
 }
 
@@ -245,21 +232,20 @@ int design_asperities(const Settings& settings, const std::string& line) {
     const auto work = [&](const OutputFolder& output, const Interrupt& interrupt) {
         say_unreachable(run.unreachable, "these caps");
         ProgressLine progress;
-        run.found =
-            search(run.setup, run.options,
-                   {recorder<rough::CapGenome>(run.stages),
-                    ga::progress<rough::CapGenome>([&](const std::string& text) { progress.show(text); })});
+        run.found = search(run.setup, run.options,
+                           {recorder<rough::CapGenome>(run.stages),
+                            ga::progress<rough::CapGenome>([&](const std::string& text) { progress.show(text); })});
         run.interrupted = interrupt.requested();
         run.found.stopped = stop_reason(run.found.stopped, run.interrupted);
         if (!run.interrupted) {
             progress.show("tolerance");
             run.other_model_error = 0;
             for (const rough::Target& target : run.setup.targets)
-                run.other_model_error = std::max(
-                    run.other_model_error,
-                    (interaction_factor(run.setup, target, run.found.best.genome) - 1).abs().maxCoeff());
-            run.tolerance = height_tolerance(run.setup, run.found.best.genome, run.options.seed, 100,
-                                             run.options.threads);
+                run.other_model_error =
+                    std::max(run.other_model_error,
+                             (interaction_factor(run.setup, target, run.found.best.genome) - 1).abs().maxCoeff());
+            run.tolerance =
+                height_tolerance(run.setup, run.found.best.genome, run.options.seed, 100, run.options.threads);
         }
         run.summary = summary_of(run);
         run.seconds = run.clock.seconds();

@@ -57,27 +57,24 @@ json design_json(const DesignRun& run) {
     json result = result_json(run.origin, run.setup, {variant});
     result.update(record_json(run, run.setup.targets,
                               std::string(run.found.best.on_finer.empty() ? "" : " finer") +
-                                  (run.found.best.is_verified() ? " verified" : "") +
-                                  (run.from ? " before" : "")));
+                                  (run.found.best.is_verified() ? " verified" : "") + (run.from ? " before" : "")));
     result["is_2d"] = run.setup.model.grid.is_2d();
     result["required_similarity"] = run.setup.required_similarity;
     result["verified"] = run.found.best.is_verified();
     result["accounts"] = run.accounts;
     result["like"] = run.setup.measured ? json(run.setup.measured->nodes()) : json();
-    result["summary"].update({{"lowest", run.summary.verified},
-                              {"unrequested_errors", run.unrequested_errors.value_or(Shares())}});
+    result["summary"].update(
+        {{"lowest", run.summary.verified}, {"unrequested_errors", run.unrequested_errors.value_or(Shares())}});
 
     json& answer = result["variants"][run.found.name];
     answer["stopped"] = run.found.stopped;
     answer["alternatives"] = answer["front"] = answer["made"] = json::array();
-    for (const auto& alternative : run.found.alternatives)
-        answer["alternatives"].push_back(answer_json(alternative));
+    for (const auto& alternative : run.found.alternatives) answer["alternatives"].push_back(answer_json(alternative));
     for (const rough::Compromise& one : run.found.front) // similarities in the order of `targets`
         answer["front"].push_back({{"similarity", one.similarity},
                                    {"similarity_refined", one.similarity_refined},
                                    {"genome", rough::genome_to_json(one.genome)}});
-    for (const rough::Answer& one : run.found.made)
-        answer["made"].push_back(answer_json(one));
+    for (const rough::Answer& one : run.found.made) answer["made"].push_back(answer_json(one));
     answer["margins"] = json::array();
     for (const auto& margin : run.margins)
         answer["margins"].push_back({{"name", margin.name},
@@ -102,20 +99,17 @@ void write_curves(const DesignRun& run, const std::filesystem::path& folder) {
     std::vector<std::pair<std::string, rough::DesignResponse>> responses{{"answer", run.response}};
     if (const auto& finer = run.found.best.on_finer; !finer.empty())
         responses.emplace_back("finer", design_response(run.setup, finer));
-    if (run.from)
-        responses.emplace_back("before", respond(run.setup, run.from->genome, run.setup.model));
+    if (run.from) responses.emplace_back("before", respond(run.setup, run.from->genome, run.setup.model));
     Csv curves("target,curve,x,y"), points("target,x,y,lower,upper,misfit,misfit_verified");
     for (std::size_t t = 0; t < run.setup.targets.size(); ++t) {
         const rough::Target& target = run.setup.targets[t];
         const rough::WrittenColumns columns = columns_of(target);
         Eigen::VectorXd designed, verified = Eigen::VectorXd::Constant(target.points(), NAN);
-        if (run.found.best.is_verified())
-            verified = run.found.best.largest[t] / target.weight;
+        if (run.found.best.is_verified()) verified = run.found.best.largest[t] / target.weight;
         for (const auto& [name, response] : responses) {
             const rough::Curve curve = to_its_end(response.curves[t]);
             curves.points(curve.x / columns.x_unit, curve.y / columns.y_unit, t + 1, name);
-            if (name == "answer")
-                designed = misfit(target, response.curves[t]) / target.weight;
+            if (name == "answer") designed = misfit(target, response.curves[t]) / target.weight;
         }
         add_points(points, t + 1, target, designed, verified);
     }
@@ -127,12 +121,10 @@ void write_curves(const DesignRun& run, const std::filesystem::path& folder) {
 void write_heights(const DesignRun& run, const std::filesystem::path& folder) {
     const rough::Grid& grid = run.setup.model.grid;
     std::vector<std::pair<std::string, rough::Profile>> surfaces;
-    if (run.setup.measured)
-        surfaces.emplace_back("scan", *run.setup.measured);
+    if (run.setup.measured) surfaces.emplace_back("scan", *run.setup.measured);
     for (std::size_t i = 0; i < std::min(max_surfaces, run.found.alternatives.size()); ++i)
         surfaces.emplace_back(std::to_string(i + 1), sample(run.found.alternatives[i].genome, grid));
-    if (surfaces.empty())
-        return;
+    if (surfaces.empty()) return;
     if (grid.is_2d()) {
         std::vector<std::string> names;
         std::vector<Eigen::VectorXd> values;
@@ -157,10 +149,9 @@ void write_heights(const DesignRun& run, const std::filesystem::path& folder) {
 /// The labels of a target's axes in the units of its file, as the figures read them: `own`, then two texts in
 /// quotes.
 std::string labels_of(const rough::Target& target) {
-    if (!target.written)
-        return "";
-    static const std::pair<const char*, const char*> signs[] = {
-        {"_per_", "/"}, {"m2K", "(m²K)"}, {"m2", "m²"}, {"um", "µm"}, {"uN", "µN"}, {"percent", "%"}};
+    if (!target.written) return "";
+    static const std::pair<const char*, const char*> signs[] = {{"_per_", "/"}, {"m2K", "(m²K)"}, {"m2", "m²"},
+                                                                {"um", "µm"},   {"uN", "µN"},     {"percent", "%"}};
     static const std::map<std::string, std::string> names{{"pressure", "Mean pressure p"},
                                                           {"load", "Load"},
                                                           {"normal", "Load"},
@@ -180,8 +171,7 @@ std::string labels_of(const rough::Target& target) {
             const std::size_t cut = column.rfind('_', column.find("_per_") - 1);
             what = column.substr(0, cut), unit = column.substr(cut + 1);
         }
-        for (const auto& [from, to] : signs)
-            boost::replace_all(unit, from, to);
+        for (const auto& [from, to] : signs) boost::replace_all(unit, from, to);
         labels += " \"" + names.at(what) + (unit.empty() ? "" : " (" + unit + ")") + "\"";
     }
     return labels;
@@ -236,8 +226,7 @@ void add_points(Csv& points, std::size_t number, const rough::Target& target, co
                    end(target.upper, k), misfits[k], verified[k]);
 }
 
-json record_json(const DesignRecord& run, const std::vector<rough::Target>& targets,
-                 const std::string& curves) {
+json record_json(const DesignRecord& run, const std::vector<rough::Target>& targets, const std::string& curves) {
     json result = origin_json(run.origin);
     for (const rough::Target& target : targets) {
         json shown = target_json(target);
@@ -247,15 +236,14 @@ json record_json(const DesignRecord& run, const std::vector<rough::Target>& targ
         shown["file"] = std::filesystem::path(target.name).filename().string();
         shown["quantity"] = quantity;
         shown["figure"] = std::to_string(result["targets"].size() + 1) + " " + quantity +
-                          (target.against_pressure() ? " pressure" : " displacement") + labels_of(target) +
-                          curves + (target.has_band() ? " band" : "");
+                          (target.against_pressure() ? " pressure" : " displacement") + labels_of(target) + curves +
+                          (target.has_band() ? " band" : "");
         result["targets"].push_back(std::move(shown));
     }
     result["target"] = result["targets"][0];
     result["verdict"] = run.summary.verdict;
     result["summary"]["found"] = run.summary.found;
-    for (const Fact& fact : run.summary.facts)
-        result["summary"][fact.key] = fact.text;
+    for (const Fact& fact : run.summary.facts) result["summary"][fact.key] = fact.text;
     result["interrupted"] = run.interrupted;
     result["out_of_reach"] = json::array();
     for (const auto& reason : run.unreachable.reasons)
@@ -268,8 +256,7 @@ json record_json(const DesignRecord& run, const std::vector<rough::Target>& targ
 
 void write_design_result(const DesignRun& run, const std::filesystem::path& folder) {
     write_json(folder / "result.json", design_json(run));
-    if (!run.tolerance)
-        return;
+    if (!run.tolerance) return;
     Csv table("noise_rms_mm,quantile,median,draws"); // similarity of the draws
     for (const rough::NoiseQuantile& one : run.tolerance->curve)
         table.row(one.noise_rms, one.quantile, one.median, one.draws);
@@ -280,8 +267,7 @@ void write_design_tables(const DesignRun& run, const std::filesystem::path& fold
     rough::write_atomically(folder / "answer.csv", csv(run.response.responses.front()));
     rough::write_atomically(folder / "genome.json",
                             rough::genome_file_text(run.found.best.genome, run.setup.model.grid.length));
-    if (run.setup.model.grid.is_2d())
-        try { // a design is of use, even if its tile cannot be printed
+    if (run.setup.model.grid.is_2d()) try { // a design is of use, even if its tile cannot be printed
             const rough::Grid& grid = run.setup.model.grid;
             const rough::Profile tile = sample(run.found.best.genome, grid);
             const rough::Extrusion extrusion{.periodic = grid.periodic};
@@ -299,12 +285,9 @@ void write_design_drawings(const DesignRun& run, const std::filesystem::path& fo
     Csv front("similarity_1,similarity_2,refined_1,refined_2"), made("similarity,similarity_made");
     for (const rough::Compromise& one : run.found.front)
         front.row(one.similarity[0], one.similarity[1], one.similarity_refined[0], one.similarity_refined[1]);
-    for (const rough::Answer& one : run.found.made)
-        made.row(one.similarity, one.similarity_made);
-    if (!run.found.front.empty())
-        rough::write_atomically(folder / "front.csv", front.text());
-    if (!run.found.made.empty())
-        rough::write_atomically(folder / "made.csv", made.text());
+    for (const rough::Answer& one : run.found.made) made.row(one.similarity, one.similarity_made);
+    if (!run.found.front.empty()) rough::write_atomically(folder / "front.csv", front.text());
+    if (!run.found.made.empty()) rough::write_atomically(folder / "made.csv", made.text());
 }
 
 } // namespace app

@@ -101,8 +101,7 @@ Bindings bindings_of(rough::SearchOptionsOf<P>& options) {
                   "wall time of the whole design; a map without time to verify is reported as not verified "
                   "[until the pipeline ends]"),
          options.seconds},
-        {whole("evaluations", "", 1, 1e9, "maximum number of curves and gradients [none]"),
-         options.evaluations},
+        {whole("evaluations", "", 1, 1e9, "maximum number of curves and gradients [none]"), options.evaluations},
         {whole("alternatives", "", 1, 100,
                "number of different answers [" + std::to_string(rough::SearchOptions().alternatives) +
                    "; 1 for a map, because verifying takes long]"),
@@ -142,8 +141,7 @@ int repeat_verdict(const std::filesystem::path& result);
 /// prints the summary and returns the exit code. If the design was finished, only prints the verdict.
 template <class Run, class Work>
 int run_in_folder(const char* kind, const std::string& line, const Settings& settings, Run& run, Work work) {
-    run.origin = {kind, line, run.options.seed, ga::thread_count(run.options.threads),
-                  inputs_json(settings.files())};
+    run.origin = {kind, line, run.options.seed, ga::thread_count(run.options.threads), inputs_json(settings.files())};
     const bool resume = resumes(settings);
     const OutputFolder output = design_folder(settings, resume);
     const std::filesystem::path& folder = output.path();
@@ -153,8 +151,8 @@ int run_in_folder(const char* kind, const std::string& line, const Settings& set
     const Interrupt interrupt;
     run.options.stop = &interrupt.flag();
     run.options.checkpoints = {folder / "checkpoint.cbor", resume,
-                               [&](auto& keeper) { keeper.keep("stages", run.stages); },
-                               checkpoint_interval(), key_of(run.origin.inputs)};
+                               [&](auto& keeper) { keeper.keep("stages", run.stages); }, checkpoint_interval(),
+                               key_of(run.origin.inputs)};
     work(output, interrupt);
     if (!run.interrupted && settings.choice("pictures") == 0) {
         constexpr double min_seconds = 3;
@@ -166,12 +164,10 @@ int run_in_folder(const char* kind, const std::string& line, const Settings& set
             std::filesystem::remove(ga::held_path(folder / kept));
     tell_notes(run.found.notes);
     for (const Fact& fact : run.summary.facts)
-        if (!fact.text.empty())
-            say(fact.name + ": " + fact.text);
+        if (!fact.text.empty()) say(fact.name + ": " + fact.text);
     say(folder.string() + ": " + run.summary.verdict + " (" + readable(run.clock.seconds()) + " s)" +
         (std::filesystem::exists(folder / "checkpoint.cbor") ? "; --resume continues it" : "") +
-        (std::filesystem::exists(folder / "report.html") ? "; page " + (folder / "report.html").string()
-                                                         : ""));
+        (std::filesystem::exists(folder / "report.html") ? "; page " + (folder / "report.html").string() : ""));
     return run.interrupted ? exit_interrupted : run.summary.found ? 0 : 3;
 }
 
@@ -183,9 +179,8 @@ std::vector<Setting> design_settings();
 /// The request of --target or --like. Throws rough::InputError.
 DesignRequest request_from(const Settings& settings);
 /// A design with the response of a measured surface as target. With a resolution, the targets have a band.
-rough::DesignSetup setup_like(const rough::Profile& surface, const rough::Model& model,
-                              const std::string& name, const Settings& settings,
-                              rough::Resolution resolution = rough::Resolution::off);
+rough::DesignSetup setup_like(const rough::Profile& surface, const rough::Model& model, const std::string& name,
+                              const Settings& settings, rough::Resolution resolution = rough::Resolution::off);
 /// The run of a request since `clock` began, after the exact tests of its targets. Throws rough::InputError.
 DesignRun design_from(const Settings& settings, DesignRequest request, const ga::Stopwatch& clock = {});
 

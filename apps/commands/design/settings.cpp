@@ -20,29 +20,24 @@ Bindings bindings_of(rough::DesignSetup& setup) {
                     "similarity that an answer must have in all checks. The variants default and like "
                     "restart a few times if it is not reached. Exit code 3 if no answer has it [0.99]"),
          setup.required_similarity},
-        {whole("ridges", "", 1, 64,
-               "ridges of each chromosome of drawn genomes [1; for a map, their directions: 8]"),
+        {whole("ridges", "", 1, 64, "ridges of each chromosome of drawn genomes [1; for a map, their directions: 8]"),
          setup.ridges},
         {positive("shortest-wave", "", "shortest wavelength that can be made, mm [8 node spacings]"),
          limits.shortest_wave},
         {positive("max-slope", "", "largest slope that can be made"), limits.max_slope},
         {positive("max-height", "", "largest height range, mm"), limits.max_height},
         {positive("min-radius", "", "smallest radius of curvature, mm"), limits.min_radius},
-        {ga::number("lambda-from", "", 1e-12, 1e12,
-                    "lower bound of the longest wavelength of a series, mm [L/4]"),
+        {ga::number("lambda-from", "", 1e-12, 1e12, "lower bound of the longest wavelength of a series, mm [L/4]"),
          setup.bounds.lambda_from},
-        {ga::number("lambda-to", "", 1e-12, 1e12,
-                    "upper bound of the longest wavelength of a series, mm [4 L]"),
+        {ga::number("lambda-to", "", 1e-12, 1e12, "upper bound of the longest wavelength of a series, mm [4 L]"),
          setup.bounds.lambda_to},
         {positive("noise", "",
                   "rms height noise, mm, under which 95 % of the draws must have the similarity. Profiles "
                   "are searched under it, and maps are verified under it [none]"),
          setup.errors.noise},
-        {positive("noise-length", "", "correlation length of height noise, mm [L/60]"),
-         setup.errors.noise_length},
-        {positive(
-             "tilt", "",
-             "tilt, as a height over the length, mm, under which the answer must have the similarity [none]"),
+        {positive("noise-length", "", "correlation length of height noise, mm [L/60]"), setup.errors.noise_length},
+        {positive("tilt", "",
+                  "tilt, as a height over the length, mm, under which the answer must have the similarity [none]"),
          setup.errors.tilt},
     };
     return with_bounds(std::move(bindings), setup.bounds);
@@ -56,8 +51,8 @@ std::optional<Production> production_from(const Settings& settings) {
         return std::nullopt;
     }
     expect_none(settings,
-                {"variant", "pipeline", "database", "resume", "alternatives", "evaluations", "hurst-from",
-                 "hurst-to", "gamma-from", "gamma-to", "lambda-from", "lambda-to"},
+                {"variant", "pipeline", "database", "resume", "alternatives", "evaluations", "hurst-from", "hurst-to",
+                 "gamma-from", "gamma-to", "lambda-from", "lambda-to"},
                 "given with --from; omit it, as nothing is searched");
     Production from{settings.text("from"), rough::read_genome(settings.text("from")), {}, 0};
     from.control =
@@ -72,17 +67,15 @@ void expect_consistent(const Settings& settings, const rough::DesignSetup& setup
     if (grid.is_2d() && settings.has("database"))
         settings.refuse("database", "given with a map; omit it, as it is for profiles only");
     for (const rough::Target& target : setup.targets)
-        if (setup.max_pressure && target.against_pressure() &&
-            target.last() > *setup.max_pressure * (1 + 1e-9))
+        if (setup.max_pressure && target.against_pressure() && target.last() > *setup.max_pressure * (1 + 1e-9))
             settings.refuse("max-pressure", settings.text("max-pressure"),
                             " MPa is too low; give at least the last pressure of ", target.name, ", ",
                             readable(target.last(), 6), " MPa");
     const double shortest = std::min(grid.widest_spacing(), grid.length / 60);
     if (const double length = setup.errors.noise_length;
         settings.has("noise-length") && (length < shortest || length > grid.length))
-        settings.refuse("noise-length", settings.text("noise-length"),
-                        " is out of range; give a number from ", readable(shortest, 6), " to ",
-                        readable(grid.length, 6));
+        settings.refuse("noise-length", settings.text("noise-length"), " is out of range; give a number from ",
+                        readable(shortest, 6), " to ", readable(grid.length, 6));
     expect_in_order(settings.with({{"lambda-from", ga::number(setup.bounds.lambda_from)},
                                    {"lambda-to", ga::number(setup.bounds.lambda_to)}}),
                     {"hurst", "gamma", "lambda"});
@@ -106,19 +99,16 @@ std::vector<Setting> search_settings() {
         positive("hardness", "",
                  "hardness that limits the pressure of each node when the answer is verified, MPa [that of "
                  "--material]"),
-        whole("draws", "", 20, 1e6,
-              "draws of noise for the tolerance [as many as cost as much as the search]"),
+        whole("draws", "", 20, 1e6, "draws of noise for the tolerance [as many as cost as much as the search]"),
     };
-    return joined(
-        {settings, settings_of(bindings_of(options)), settings_of(bindings_of(setup)), model_settings()});
+    return joined({settings, settings_of(bindings_of(options)), settings_of(bindings_of(setup)), model_settings()});
 }
 
 std::vector<Setting> design_settings() {
     const std::vector<Setting> settings{
         {"target", "", "target file (CSV), or several with commas between"},
         positive("weights", "", "weight of each target, with commas between [1 each]").several(),
-        {"like", "",
-         "measured profile, or map (a text matrix with --spacing); its response becomes the target"},
+        {"like", "", "measured profile, or map (a text matrix with --spacing); its response becomes the target"},
         {"from", "",
          "genome (JSON) of a surface in production; the phases of --control are changed as little as is "
          "necessary to meet the target"},
@@ -127,18 +117,12 @@ std::vector<Setting> design_settings() {
                    "largest change of a phase, as a share of a turn, up to 0.5"),
         {"out", "", "folder for the results [out/design, or out/design-2 and on]"},
         force_setting(),
-        Setting(
-            "resume", "",
-            "continue the design in the folder given by --out, which was interrupted, killed or out of time",
-            true),
+        Setting("resume", "",
+                "continue the design in the folder given by --out, which was interrupted, killed or out of time", true),
         pictures_setting(),
     };
-    return joined({settings,
-                   scale_settings(),
-                   search_settings(),
-                   asperity_settings(),
-                   scan_settings(),
-                   {resolution_setting()}});
+    return joined(
+        {settings, scale_settings(), search_settings(), asperity_settings(), scan_settings(), {resolution_setting()}});
 }
 
 std::vector<rough::Target> targets_from(const Settings& settings, const rough::Model& model) {
@@ -149,8 +133,7 @@ std::vector<rough::Target> targets_from(const Settings& settings, const rough::M
         const auto weights = settings.numbers("weights");
         if (weights.size() != targets.size())
             settings.refuse("weights", weights.size(), " given; give ", targets.size(), ", one per target");
-        for (std::size_t i = 0; i < targets.size(); ++i)
-            targets[i].weight = weights[i] / std::ranges::max(weights);
+        for (std::size_t i = 0; i < targets.size(); ++i) targets[i].weight = weights[i] / std::ranges::max(weights);
     }
     return targets;
 }
@@ -160,18 +143,15 @@ std::string pipeline_from(const Settings& settings, const std::map<std::string, 
     if (settings.given("variant") && settings.given("pipeline"))
         rough::refuse("design: two pipelines are given; give either ", settings.place("variant"), " or ",
                       settings.place("pipeline"));
-    if (!settings.has("variant"))
-        return settings.has("pipeline") ? settings.text("pipeline") : usual;
+    if (!settings.has("variant")) return settings.has("pipeline") ? settings.text("pipeline") : usual;
     const auto names = names_of(variants);
     return names[settings.one_of("variant", names)];
 }
 
-rough::DesignSetup setup_like(const rough::Profile& surface, const rough::Model& model,
-                              const std::string& name, const Settings& settings,
-                              rough::Resolution resolution) {
+rough::DesignSetup setup_like(const rough::Profile& surface, const rough::Model& model, const std::string& name,
+                              const Settings& settings, rough::Resolution resolution) {
     std::optional<rough::Index> nodes;
-    if (!surface.is_2d())
-        settings.take("nodes", nodes);
+    if (!surface.is_2d()) settings.take("nodes", nodes);
     std::optional<double> max_pressure;
     settings.take("max-pressure", max_pressure);
     return design_like(surface, model, name, rough::likeness_named(settings.text("quantity")),
@@ -183,29 +163,26 @@ DesignRequest request_from(const Settings& settings) {
     const bool is_like = settings.has("like"), is_map = asks_for_map(settings);
     DesignRequest request;
     request.from = production_from(settings);
-    if (is_map && request.from)
-        rough::refuse("--from: given with a map; omit it, as it is for profiles only");
+    if (is_map && request.from) rough::refuse("--from: given with a map; omit it, as it is for profiles only");
     if (is_like) {
         // The nodes of a profile are those of its design.
         const Scene scene = scene_from(is_map ? settings : settings.with({{"nodes", ""}}), "like", is_map);
         request.accounts = scene.notes;
         // The band of a map would take most of the time.
-        request.setup = setup_like(scene.surface, scene.model, settings.text("like"), settings,
-                                   is_map && !settings.given("resolution") ? rough::Resolution::off
-                                                                           : resolution_from(settings));
+        request.setup =
+            setup_like(scene.surface, scene.model, settings.text("like"), settings,
+                       is_map && !settings.given("resolution") ? rough::Resolution::off : resolution_from(settings));
     } else {
         std::vector<std::string> of_a_scan = names_of(scan_settings());
         of_a_scan.insert(of_a_scan.end(), {"resolution", "points", "quantity"});
         expect_none(settings, of_a_scan, "given with --target; give it with --like only");
-        const rough::Model model = request.from ? model_from(settings, open_genome(request.from->file))
-                                                : surface_model_from(settings);
+        const rough::Model model =
+            request.from ? model_from(settings, open_genome(request.from->file)) : surface_model_from(settings);
         request.setup = {.model = model, .targets = targets_from(settings, model)};
-        if (is_map && model.body.kernel == rough::Kernel::free)
-            request.accounts.emplace_back(no_datum_note);
+        if (is_map && model.body.kernel == rough::Kernel::free) request.accounts.emplace_back(no_datum_note);
     }
     const auto of_files = is_like ? std::vector<rough::Target>() : request.setup.targets;
-    std::ranges::copy(notes_on(settings, request.setup.model, of_files),
-                      std::back_inserter(request.accounts));
+    std::ranges::copy(notes_on(settings, request.setup.model, of_files), std::back_inserter(request.accounts));
     return request;
 }
 
@@ -230,8 +207,7 @@ DesignRun design_from(const Settings& settings, DesignRequest request, const ga:
     rough::SearchOptions& options = run.options;
     options.pipeline =
         pipeline_from(settings, rough::design_variants(), usual_variant(setup, settings.has("database")));
-    if (setup.model.grid.is_2d())
-        options.alternatives = 1;
+    if (setup.model.grid.is_2d()) options.alternatives = 1;
     take(settings, app::bindings_of(options));
     setup.model.contact.threads = ga::thread_count(options.threads);
     if (settings.has("database")) {
@@ -245,8 +221,8 @@ DesignRun design_from(const Settings& settings, DesignRequest request, const ga:
                                " stored curves screened, the search begins from the nearest " +
                                std::to_string(options.starts.size()));
     }
-    run.unreachable = rough::unreachable(setup, settings.has("reach-similarity") ? setup.required_similarity
-                                                                                 : rough::exact_enough);
+    run.unreachable =
+        rough::unreachable(setup, settings.has("reach-similarity") ? setup.required_similarity : rough::exact_enough);
     if (!run.unreachable.reasons.empty())
         options.evaluations = std::min(options.evaluations, rough::enough_for_the_nearest);
     run.trust_options.seed = run.tolerance_options.seed = options.seed;
@@ -254,8 +230,7 @@ DesignRun design_from(const Settings& settings, DesignRequest request, const ga:
     settings.take("hardness", run.trust_options.hardness);
     if (!run.trust_options.hardness && settings.has("material"))
         run.trust_options.hardness = elastic_limit(settings, setup.model.body);
-    if (run.from)
-        run.trust_options.phase_draws = 0; // with other phases it is another surface
+    if (run.from) run.trust_options.phase_draws = 0; // with other phases it is another surface
     run.tolerance_options.fixed_draws = settings.has("evaluations");
     settings.take("draws", run.tolerance_options.draws);
     if (setup.measured) {

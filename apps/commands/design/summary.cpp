@@ -25,8 +25,7 @@ std::string below(double value, double other) {
 }
 
 void join(std::string& all, const std::string& more, const char* between = "; ") {
-    if (!all.empty() && !more.empty())
-        all += between;
+    if (!all.empty() && !more.empty()) all += between;
     all += more;
 }
 
@@ -38,12 +37,10 @@ std::string in_unit(double length) {
 /// The similarity that the verdict is about, under all conditions; -infinity if one of them has no response.
 /// That of a surface in production is on the grid and in the load steps of its target.
 double verified_of(const DesignRun& run) {
-    if (run.morphed)
-        return run.found.best.similarity;
+    if (run.morphed) return run.found.best.similarity;
     const double lowest = run.found.best.lowest();
     const auto decides = [](const rough::Check& check) { return check.decides; };
-    if (!run.trust || std::ranges::none_of(run.trust->checks, decides))
-        return lowest;
+    if (!run.trust || std::ranges::none_of(run.trust->checks, decides)) return lowest;
     return std::isnan(run.trust->under) ? -HUGE_VAL : std::min(lowest, run.trust->under);
 }
 
@@ -61,9 +58,9 @@ std::string verdict_of(const DesignRun& run) {
                       surface = run.setup.model.grid.is_2d() ? "map" : "profile";
     std::string conditions = "on finer grids and in finer load steps", line;
     if (run.trust)
-        conditions += line_of(run.setup.errors.noise > 0 ? ", under noise" : "",
-                              run.setup.errors.tilt > 0 ? ", tilted" : "",
-                              run.trust_options.hardness ? ", under the hardness" : "");
+        conditions +=
+            line_of(run.setup.errors.noise > 0 ? ", under noise" : "", run.setup.errors.tilt > 0 ? ", tilted" : "",
+                    run.trust_options.hardness ? ", under the hardness" : "");
     if (!run.unreachable.reasons.empty())
         line = run.unreachable.reasons.front().verdict() + "; no " + surface + " has a similarity above " +
                readable(run.unreachable.bound, 4) + "; the best design found has " +
@@ -78,15 +75,13 @@ std::string verdict_of(const DesignRun& run) {
                readable(run.morphed->before, 4) + "; " + wanted + "; lowest similarity " +
                readable(run.found.best.lowest(), 4) + ", " + conditions;
     else if (is_enough)
-        line =
-            (found              ? "found"
-             : is_verified(run) ? missed_by(run.found)
-                                : "not verified") +
-            (": lowest similarity " + readable(verified, 5)) + ", " + conditions +
-            (is_verified(run) ? "" : ", but the time did not suffice for the given noise, tilt or hardness");
+        line = (found              ? "found"
+                : is_verified(run) ? missed_by(run.found)
+                                   : "not verified") +
+               (": lowest similarity " + readable(verified, 5)) + ", " + conditions +
+               (is_verified(run) ? "" : ", but the time did not suffice for the given noise, tilt or hardness");
     else
-        line = (run.interrupted ? "not found before the interrupt" : missed_by(run.found)) +
-               ": the best design has " +
+        line = (run.interrupted ? "not found before the interrupt" : missed_by(run.found)) + ": the best design has " +
                (std::isinf(verified) ? "no response in one of the checks"
                                      : "a lowest similarity of " + below(verified, required)) +
                ", " + conditions + "; " + wanted;
@@ -112,10 +107,10 @@ std::string matched(const DesignRun& run) {
         const rough::Target& target = run.setup.targets[t];
         const double error = std::abs(largest_misfit(run, t).first);
         const std::string band = !target.has_band() ? "off" : "outside the band";
-        join(all, in_words(target) + ": similarity " + readable(1 - target.weight * error, 4) +
-                      (target.has_band() && error == 0 ? ", within the band"
-                                                       : ", " + band + " by up to " + percent(error)) +
-                      (as_designed(run) ? " on the search grid" : " with the estimated error"));
+        join(all,
+             in_words(target) + ": similarity " + readable(1 - target.weight * error, 4) +
+                 (target.has_band() && error == 0 ? ", within the band" : ", " + band + " by up to " + percent(error)) +
+                 (as_designed(run) ? " on the search grid" : " with the estimated error"));
     }
     return all;
 }
@@ -136,15 +131,13 @@ std::string worst_case(const DesignRun& run) {
     const auto known = [](double similarity) {
         return std::isnan(similarity) ? "not verified" : readable(similarity, 4);
     };
-    std::string all =
-        "similarity " + known(best.similarity) + " on the search grid, " + known(best.refined) +
-        " on a grid " + std::to_string(by.nodes) + " times finer, " + known(best.more_steps) + " in " +
-        std::to_string(by.steps) + " times the load steps, " + known(best.both) + " with both; " +
-        (best.is_verified() ? "less the estimated error of the last, " + readable(best.both - best.worst, 3) +
-                                  ", it is " + known(best.worst)
-                            : "so the verdict is not known");
-    if (!run.trust)
-        return all + "; the time did not suffice to verify more";
+    std::string all = "similarity " + known(best.similarity) + " on the search grid, " + known(best.refined) +
+                      " on a grid " + std::to_string(by.nodes) + " times finer, " + known(best.more_steps) + " in " +
+                      std::to_string(by.steps) + " times the load steps, " + known(best.both) + " with both; " +
+                      (best.is_verified() ? "less the estimated error of the last, " +
+                                                readable(best.both - best.worst, 3) + ", it is " + known(best.worst)
+                                          : "so the verdict is not known");
+    if (!run.trust) return all + "; the time did not suffice to verify more";
     for (const rough::Check& check : run.trust->checks)
         if (check.decides || check.name.find("datum") != std::string::npos)
             join(all, "similarity " + readable(check.similarity, 4) + " with " + check.name);
@@ -155,8 +148,7 @@ std::string worst_case(const DesignRun& run) {
 
 /// The largest errors of the machine under which the answer keeps a similarity, one error at a time.
 std::string machine(const DesignRun& run) {
-    if (!run.tolerance)
-        return "";
+    if (!run.tolerance) return "";
     const rough::Tolerance& tolerance = *run.tolerance;
     std::string all, missed;
     for (const rough::ToleranceLevel& level : tolerance.levels) {
@@ -180,19 +172,16 @@ std::string machine(const DesignRun& run) {
 }
 
 std::string yielding(const DesignRun& run) {
-    if (!run.trust)
-        return "not verified, because the time did not suffice";
+    if (!run.trust) return "not verified, because the time did not suffice";
     const std::optional<double> hardness = run.trust_options.hardness;
     const double peak = run.trust->peak_pressure;
     const Unit unit = pressure_unit(peak);
-    const std::string highest = "the highest node pressure is " + readable(unit.factor * peak) + " " +
-                                unit.name + " (" + percent(peak / run.setup.model.body.effective_modulus) +
-                                " of E*)";
-    if (!hardness)
-        return "assumed to be elastic; " + highest + "; give --hardness to verify this";
-    return (peak <= *hardness ? "yes, " : "no, it yields: ") + highest +
-           (peak <= *hardness ? ", at most" : ", above") + " the hardness, " +
-           readable(pressure_unit(*hardness).factor * *hardness) + " " + pressure_unit(*hardness).name;
+    const std::string highest = "the highest node pressure is " + readable(unit.factor * peak) + " " + unit.name +
+                                " (" + percent(peak / run.setup.model.body.effective_modulus) + " of E*)";
+    if (!hardness) return "assumed to be elastic; " + highest + "; give --hardness to verify this";
+    return (peak <= *hardness ? "yes, " : "no, it yields: ") + highest + (peak <= *hardness ? ", at most" : ", above") +
+           " the hardness, " + readable(pressure_unit(*hardness).factor * *hardness) + " " +
+           pressure_unit(*hardness).name;
 }
 
 /// A quantity with its limit, e.g. "shortest wave 0.0146 mm (limit 0.0133 mm)".
@@ -201,8 +190,7 @@ std::string in_words(const rough::Margin& margin) {
     std::string name = margin.name.substr(0, margin.name.size() - unit.size());
     std::ranges::replace(name, '_', ' ');
     name += " " + readable(margin.value) + unit;
-    if (!margin.is_limited())
-        return name;
+    if (!margin.is_limited()) return name;
     return name + (margin.holds() ? " (limit " : " (beyond the limit ") + readable(margin.limit) + unit + ")";
 }
 
@@ -210,8 +198,7 @@ std::string in_words(const rough::Margin& margin) {
 std::string making(const DesignRun& run) {
     std::string limited, free;
     for (rough::Margin margin : run.margins) {
-        if (!run.limits_given && margin.is_lower)
-            margin.limit = 0; // the default shortest wave is the grid's
+        if (!run.limits_given && margin.is_lower) margin.limit = 0; // the default shortest wave is the grid's
         join(margin.is_limited() ? limited : free, in_words(margin), ", ");
     }
     if (!run.limits_given)
@@ -231,30 +218,27 @@ std::string carries_over(const DesignRun& run) {
         const Quantity quantity = target.quantity;
         std::string scope = "only for this length";
         if (quantity == Quantity::interface_stiffness)
-            scope = line_of(is_2d ? "" : "for every datum, and ",
-                            "approximately for other lengths, at light loads");
+            scope = line_of(is_2d ? "" : "for every datum, and ", "approximately for other lengths, at light loads");
         else if (is_2d)
             scope += " (a map has no datum)";
         else if (quantity == Quantity::area_at_pressure)
             scope = "for every datum, but " + scope;
         else if (has_datum)
-            scope += " and the datum " + brief(*model.body.datum, 5) + " mm" +
-                     (quantity == Quantity::stiffness
-                          ? " (a target of interface_stiffness does not depend on the datum)"
-                          : "");
+            scope +=
+                " and the datum " + brief(*model.body.datum, 5) + " mm" +
+                (quantity == Quantity::stiffness ? " (a target of interface_stiffness does not depend on the datum)"
+                                                 : "");
         if (const auto words = in_words(quantity) + " valid " + scope; all.find(words) == std::string::npos)
             join(all, words);
     }
-    if (run.setup.measured && !run.accounts.empty())
-        join(all, "the scan as it was read: " + run.accounts.front());
+    if (run.setup.measured && !run.accounts.empty()) join(all, "the scan as it was read: " + run.accounts.front());
     return "designed for the body '" + name_of(model.body.kernel) + "' (--kernel), length " +
            brief(model.grid.length, 5) + (is_2d ? " x " + brief(model.grid.width, 5) : "") + " mm; " + all;
 }
 
 /// The changes of the phases, and the similarities before and after them.
 std::string moved(const rough::Morphed& morphed) {
-    std::string all =
-        "similarity " + readable(morphed.before, 4) + " before, " + readable(morphed.after, 4) + " after";
+    std::string all = "similarity " + readable(morphed.before, 4) + " before, " + readable(morphed.after, 4) + " after";
     for (const rough::PhaseChange& change : morphed.changes)
         join(all, std::to_string(change.place.series + 1) + ":" + std::to_string(change.n) + " by " +
                       readable(change.after - change.before) + " rad" +
@@ -271,9 +255,7 @@ std::string at(const rough::Target& target, double x) {
 /// Nodes of a grid of this shape with `factor` times as many, as --nodes takes them.
 std::string nodes_for(const rough::Grid& grid, double factor) {
     const double side = grid.is_2d() ? std::sqrt(factor) : factor;
-    const auto more = [&](rough::Index nodes) {
-        return brief(std::ceil(side * static_cast<double>(nodes)), 9);
-    };
+    const auto more = [&](rough::Index nodes) { return brief(std::ceil(side * static_cast<double>(nodes)), 9); };
     return more(grid.nodes) + (grid.is_2d() ? "x" + more(grid.rows) : "");
 }
 
@@ -281,19 +263,16 @@ std::string nodes_for(const rough::Grid& grid, double factor) {
 std::string obstacles(const DesignRun& run) {
     const auto& targets = run.setup.targets;
     std::size_t worst = 0;
-    const auto weighted = [&](std::size_t t) {
-        return targets[t].weight * std::abs(largest_misfit(run, t).first);
-    };
+    const auto weighted = [&](std::size_t t) { return targets[t].weight * std::abs(largest_misfit(run, t).first); };
     for (std::size_t t = 1; t < targets.size(); ++t)
-        if (weighted(t) > weighted(worst))
-            worst = t;
+        if (weighted(t) > weighted(worst)) worst = t;
     const rough::Target& target = targets[worst];
     const auto [misfit, point] = largest_misfit(run, worst);
     const double allowed = 1 - run.setup.required_similarity;
     std::string all;
     if (weighted(worst) > allowed)
-        join(all, "the largest misfit is " + percent(misfit) + " of the " + in_words(target) +
-                      at(target, target.x[point]));
+        join(all,
+             "the largest misfit is " + percent(misfit) + " of the " + in_words(target) + at(target, target.x[point]));
     if (run.morphed) {
         const std::size_t missed = run.morphed->missed.size();
         join(all, missed == 0 ? ""
@@ -302,13 +281,12 @@ std::string obstacles(const DesignRun& run) {
         return all;
     }
     if (run.unreachable.bound < run.setup.required_similarity)
-        join(all, line_of(run.setup.model.grid.is_2d() ? "no map " : "no profile ",
-                          run.unreachable.reasons.empty() || run.unreachable.reasons.front().on_this_grid
-                              ? "on this grid "
-                              : "",
-                          "has a similarity above ", readable(run.unreachable.bound, 4)));
-    const double nodes = static_cast<double>(run.setup.model.grid.shape().nodes()),
-                 wanted = target.y[point] * nodes;
+        join(all,
+             line_of(run.setup.model.grid.is_2d() ? "no map " : "no profile ",
+                     run.unreachable.reasons.empty() || run.unreachable.reasons.front().on_this_grid ? "on this grid "
+                                                                                                     : "",
+                     "has a similarity above ", readable(run.unreachable.bound, 4)));
+    const double nodes = static_cast<double>(run.setup.model.grid.shape().nodes()), wanted = target.y[point] * nodes;
     if (is_contact_fraction(target.quantity) && 0.5 / wanted > allowed)
         join(all, "the requested area" + at(target, target.x[point]) + " is " + readable(wanted) + " of " +
                       brief(nodes, 9) + " nodes, so half a node changes it by " + percent(0.5 / wanted) +
@@ -336,14 +314,11 @@ std::string obstacles(const DesignRun& run) {
 Shares unrequested_errors(const rough::DesignSetup& design, const rough::Genome& genome) {
     Shares all;
     const auto& requested = design.targets;
-    if (!design.measured || !requested.front().against_pressure())
-        return all;
+    if (!design.measured || !requested.front().against_pressure()) return all;
     rough::DesignSetup setup = design;
     setup.targets.clear();
-    for (const Quantity quantity :
-         {Quantity::stiffness, Quantity::area_at_pressure, Quantity::interface_stiffness}) {
-        if (std::ranges::any_of(requested,
-                                [&](const rough::Target& target) { return target.quantity == quantity; }))
+    for (const Quantity quantity : {Quantity::stiffness, Quantity::area_at_pressure, Quantity::interface_stiffness}) {
+        if (std::ranges::any_of(requested, [&](const rough::Target& target) { return target.quantity == quantity; }))
             continue;
         rough::Target target = requested.front();
         target.quantity = quantity;
@@ -360,28 +335,23 @@ Shares unrequested_errors(const rough::DesignSetup& design, const rough::Genome&
 
 void say_unreachable(const rough::Unreachable& found, const std::string& of_what) {
     if (!found.reasons.empty())
-        say("note: out of reach of " + of_what + ": " + found.reasons.front().reason +
-            "; no similarity is above " + readable(found.bound, 4) +
-            "; the search is short, for the nearest");
+        say("note: out of reach of " + of_what + ": " + found.reasons.front().reason + "; no similarity is above " +
+            readable(found.bound, 4) + "; the search is short, for the nearest");
 }
 
 bool is_found(const DesignRun& run) {
-    return verified_of(run) >= run.setup.required_similarity && is_verified(run) &&
-           run.unreachable.reasons.empty() && run.found.best.within_limits;
+    return verified_of(run) >= run.setup.required_similarity && is_verified(run) && run.unreachable.reasons.empty() &&
+           run.found.best.within_limits;
 }
 
 Summary summary_of(const DesignRun& run) {
     Summary summary{is_found(run), verified_of(run), verdict_of(run), {}};
-    summary.facts = {{"warning", "Warning", run.warning},
-                     {"moved", "Change", run.morphed ? moved(*run.morphed) : ""},
-                     {"matched", "Requested", matched(run)},
-                     {"not_requested", "Not requested", not_requested(run)},
-                     {"worst_case", "Checks", worst_case(run)},
-                     {"machine", "Tolerance", machine(run)},
-                     {"yielding", "Elastic", yielding(run)},
-                     {"making", "Can be made", making(run)},
-                     {"carries_over", "Valid", carries_over(run)},
-                     {"obstacles", "Obstacles", summary.found ? "" : obstacles(run)}};
+    summary.facts = {
+        {"warning", "Warning", run.warning},          {"moved", "Change", run.morphed ? moved(*run.morphed) : ""},
+        {"matched", "Requested", matched(run)},       {"not_requested", "Not requested", not_requested(run)},
+        {"worst_case", "Checks", worst_case(run)},    {"machine", "Tolerance", machine(run)},
+        {"yielding", "Elastic", yielding(run)},       {"making", "Can be made", making(run)},
+        {"carries_over", "Valid", carries_over(run)}, {"obstacles", "Obstacles", summary.found ? "" : obstacles(run)}};
     return summary;
 }
 

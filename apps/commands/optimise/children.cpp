@@ -28,14 +28,12 @@ constexpr off_t max_log = 10'000'000, kept_log = 100'000;
 std::array<int, 2> new_pipe() {
     std::array<int, 2> ends{};
     if (pipe2(ends.data(), O_CLOEXEC) != 0)
-        rough::refuse("--evaluate: a pipe cannot be opened (", std::strerror(errno),
-                      "); use fewer --threads");
+        rough::refuse("--evaluate: a pipe cannot be opened (", std::strerror(errno), "); use fewer --threads");
     return ends;
 }
 
 void close_once(int& descriptor) {
-    if (descriptor >= 0)
-        close(std::exchange(descriptor, -1));
+    if (descriptor >= 0) close(std::exchange(descriptor, -1));
 }
 
 /// The beginning of a line, for a message.
@@ -57,8 +55,7 @@ Words split_command(const std::string& command) {
             inside = false;
             continue;
         }
-        if (!std::exchange(inside, true))
-            words.emplace_back();
+        if (!std::exchange(inside, true)) words.emplace_back();
         if (quote == 0 && (c == '\'' || c == '"'))
             quote = c;
         else if (c == quote)
@@ -68,8 +65,7 @@ Words split_command(const std::string& command) {
         else
             words.back() += c;
     }
-    if (quote != 0)
-        rough::refuse("--evaluate: a ", quote, " is left open in \"", command, "\"; close it");
+    if (quote != 0) rough::refuse("--evaluate: a ", quote, " is left open in \"", command, "\"; close it");
     if (words.empty() || words.front().empty())
         rough::refuse("--evaluate: \"", command, "\" given; give a program with its arguments");
     return words;
@@ -101,8 +97,7 @@ Child::~Child() {
 
 void Child::close_input() { close_once(in_); }
 
-std::optional<std::string> Child::answer(const std::string& line, double seconds,
-                                         const std::function<bool()>& stops) {
+std::optional<std::string> Child::answer(const std::string& line, double seconds, const std::function<bool()>& stops) {
     constexpr int milliseconds = 50; // between two looks at the clock and at `stops`
     const auto waits = [](ssize_t size) { return size < 0 && (errno == EINTR || errno == EAGAIN); };
     std::array<char, 65536> part;
@@ -113,8 +108,7 @@ std::optional<std::string> Child::answer(const std::string& line, double seconds
             read_.erase(0, end + 1);
             return whole;
         }
-        if (silent_ || clock.seconds() > seconds || stops())
-            return std::nullopt;
+        if (silent_ || clock.seconds() > seconds || stops()) return std::nullopt;
         std::array<pollfd, 2> places{{{out_, POLLIN, 0}, {rest.empty() ? -1 : in_, POLLOUT, 0}}};
         poll(places.data(), places.size(), milliseconds);
         if (const ssize_t size = write(in_, rest.data(), rest.size()); size >= 0)
@@ -122,23 +116,19 @@ std::optional<std::string> Child::answer(const std::string& line, double seconds
         else if (!waits(size))
             rest.clear(); // the child has closed its input
         const ssize_t size = read(out_, part.data(), part.size());
-        if (size > 0)
-            read_.append(part.data(), static_cast<std::size_t>(size));
+        if (size > 0) read_.append(part.data(), static_cast<std::size_t>(size));
         silent_ = (size <= 0 && !waits(size)) || read_.size() > longest_line;
     }
 }
 
 std::string Child::end(double patience) {
-    if (process_ <= 0)
-        return {};
+    if (process_ <= 0) return {};
     int status = 0;
     const bool by_itself = process_ended_within(patience, process_, status);
     end_group(process_, SIGKILL);
-    if (!by_itself)
-        waitpid(process_, &status, 0);
+    if (!by_itself) waitpid(process_, &status, 0);
     process_ = 0;
-    if (!by_itself)
-        return "closed its output";
+    if (!by_itself) return "closed its output";
     return WIFEXITED(status) ? "ended with exit code " + std::to_string(WEXITSTATUS(status))
                              : "was ended by signal " + std::to_string(WTERMSIG(status));
 }
@@ -147,20 +137,17 @@ Children::Children(const std::string& command, int count, double seconds, std::f
     : text_(command), command_(split_command(command)), seconds_(seconds), log_file_(std::move(log)),
       log_(open(log_file_.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0666)),
       children_(static_cast<std::size_t>(count)) {
-    if (log_ < 0)
-        rough::refuse(log_file_.string(), ": cannot be written; choose another --out");
+    if (log_ < 0) rough::refuse(log_file_.string(), ": cannot be written; choose another --out");
 }
 
 Children::~Children() {
     for (const auto& child : children_)
-        if (child)
-            child->close_input();
+        if (child) child->close_input();
     children_.clear();
     bound_log();
     close(log_);
     std::error_code none;
-    if (std::filesystem::is_empty(log_file_, none))
-        std::filesystem::remove(log_file_, none);
+    if (std::filesystem::is_empty(log_file_, none)) std::filesystem::remove(log_file_, none);
 }
 
 std::vector<Children::Answer> Children::ask(std::span<const std::string> genes, const ga::Watch& watch) {
@@ -197,8 +184,7 @@ Children::Answer Children::answer_of(std::unique_ptr<Child>& child, const std::s
                                      const std::function<bool()>& stops) {
     constexpr long max_deaths = 100;
     try {
-        if (!child)
-            child = std::make_unique<Child>(command_, log_);
+        if (!child) child = std::make_unique<Child>(command_, log_);
     } catch (const rough::InputError& error) {
         give_up(error.what());
         return {};
@@ -207,8 +193,7 @@ Children::Answer Children::answer_of(std::unique_ptr<Child>& child, const std::s
     const std::string request = "{\"id\":" + std::to_string(id) + ",\"genes\":" + genes + "}";
     const std::string sent = "--evaluate: '" + clipped(text_) + "' was sent " + clipped(request) + " and ";
     const std::string wanted = "; answer with a line {\"id\":" + std::to_string(id) + ",\"objectives\":[" +
-                               (objectives() == 0 ? "" : std::to_string(objectives()) + " ") +
-                               "finite numbers]}";
+                               (objectives() == 0 ? "" : std::to_string(objectives()) + " ") + "finite numbers]}";
     Answer answer;
     if (const auto line = child->answer(request, seconds_, stops)) {
         std::string fault;
@@ -224,11 +209,10 @@ Children::Answer Children::answer_of(std::unique_ptr<Child>& child, const std::s
         give_up(sent + "answered \"" + clipped(*line) + "\" (" + fault + ")" + wanted);
     } else if (child->is_silent()) {
         const std::string& part = child->unfinished();
-        const std::string end =
-            (part.empty() ? "" : "wrote \"" + clipped(part) + "\" and ") + child->end(0.2);
+        const std::string end = (part.empty() ? "" : "wrote \"" + clipped(part) + "\" and ") + child->end(0.2);
         if (++deaths_ >= max_deaths)
-            give_up(sent + end + ", the last of " + std::to_string(max_deaths) + " such ends in a row" +
-                    wanted + log_end());
+            give_up(sent + end + ", the last of " + std::to_string(max_deaths) + " such ends in a row" + wanted +
+                    log_end());
         else
             answer = ga::reason("'" + clipped(text_) + "' " + end);
     } else if (!stops()) {
@@ -246,11 +230,10 @@ Children::Answer Children::read(const std::string& line, long id, std::string& f
         return value.is_null() || std::ranges::any_of(value, &nlohmann::json::is_null);
     };
     try {
-        const nlohmann::json j =
-            rough::parsed_json(std::regex_search(line, not_finite) && !nlohmann::json::accept(line)
-                                   ? std::regex_replace(line, not_finite, "null")
-                                   : line,
-                               "line");
+        const nlohmann::json j = rough::parsed_json(std::regex_search(line, not_finite) && !nlohmann::json::accept(line)
+                                                        ? std::regex_replace(line, not_finite, "null")
+                                                        : line,
+                                                    "line");
         if (!j.is_object() || !j.contains("id") || !(j.contains("objectives") || j.contains("failed"))) {
             fault = "no object with id and objectives";
             return {};
@@ -283,8 +266,7 @@ Children::Answer Children::read(const std::string& line, long id, std::string& f
 /// Keeps the first message only.
 void Children::give_up(const std::string& message) {
     const std::lock_guard lock(trouble_mutex_);
-    if (!has_trouble_.exchange(true))
-        trouble_ = message;
+    if (!has_trouble_.exchange(true)) trouble_ = message;
 }
 
 std::string Children::log_tail() const {
@@ -299,11 +281,9 @@ std::string Children::log_tail() const {
 void Children::bound_log() {
     struct stat there {};
     const std::lock_guard lock(trouble_mutex_);
-    if (fstat(log_, &there) != 0 || there.st_size <= max_log)
-        return;
+    if (fstat(log_, &there) != 0 || there.st_size <= max_log) return;
     constexpr off_t blocks = 1 << 20; // some file systems remove the first ones and lose no text
-    if (fallocate(log_, FALLOC_FL_COLLAPSE_RANGE, 0, (there.st_size - kept_log) / blocks * blocks) == 0)
-        return;
+    if (fallocate(log_, FALLOC_FL_COLLAPSE_RANGE, 0, (there.st_size - kept_log) / blocks * blocks) == 0) return;
     std::string tail;
     off_t seen = 0; // text that a child writes between reading and cut is lost
     for (int tries = 0; tries < 100 && fstat(log_, &there) == 0 && there.st_size != seen; ++tries) {

@@ -29,8 +29,7 @@ class Child {
 
     /// Sends a line and returns the next line that the child writes. Returns nothing if it closes its output,
     /// after `seconds`, and soon after `stops` returns true.
-    std::optional<std::string> answer(const std::string& line, double seconds,
-                                      const std::function<bool()>& stops);
+    std::optional<std::string> answer(const std::string& line, double seconds, const std::function<bool()>& stops);
     bool is_silent() const { return silent_; }              ///< whether it has closed its output
     const std::string& unfinished() const { return read_; } ///< the text after its last whole line
     /// Closes its input; a program that reads lines ends then.
@@ -77,8 +76,7 @@ class Children {
     BestKnown record; ///< the best of all answers
 
   private:
-    Answer answer_of(std::unique_ptr<Child>& child, const std::string& genes,
-                     const std::function<bool()>& stops);
+    Answer answer_of(std::unique_ptr<Child>& child, const std::string& genes, const std::function<bool()>& stops);
     Answer read(const std::string& line, long id, std::string& fault) const;
     void give_up(const std::string& message);
     std::string log_tail() const;

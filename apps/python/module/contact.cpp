@@ -10,8 +10,8 @@ namespace {
 
 /// The response of a surface under the model, with the requested derivatives. They are with respect to the
 /// genes if the heights are a genome's, else to the heights.
-Curve press(const rough::Profile& surface, const rough::Genome* genome, const rough::Model& model,
-            bool gradient, bool area_gradient) {
+Curve press(const rough::Profile& surface, const rough::Genome* genome, const rough::Model& model, bool gradient,
+            bool area_gradient) {
     Curve curve;
     rough::Response& response = curve;
     if (gradient || area_gradient) {
@@ -38,15 +38,12 @@ Curve press(const rough::Profile& surface, const rough::Genome* genome, const ro
 Curve contact(const py::object& heights, const Spacing& spacing, bool gradient, bool area_gradient,
               const py::kwargs& given) {
     Keywords keywords(given, "contact");
-    const auto* genome =
-        py::isinstance<rough::Genome>(heights) ? &heights.cast<const rough::Genome&>() : nullptr;
-    if (genome && spacing)
-        throw py::type_error("contact: a Genome has no spacing; give nodes and length");
+    const auto* genome = py::isinstance<rough::Genome>(heights) ? &heights.cast<const rough::Genome&>() : nullptr;
+    if (genome && spacing) throw py::type_error("contact: a Genome has no spacing; give nodes and length");
     Filling filling = filling_from(keywords);
     rough::Profile surface = genome ? rough::Profile() : surface_from(heights, spacing, "contact", filling);
     rough::Model model = genome ? model_from(keywords) : model_from(keywords, surface);
-    model.contact.threads =
-        ga::thread_count(keywords.settings({app::threads_setting()}).whole<int>("threads"));
+    model.contact.threads = ga::thread_count(keywords.settings({app::threads_setting()}).whole<int>("threads"));
     std::optional<rough::Resolution> resolution;
     if (genome)
         surface = sample(*genome, model.grid);
@@ -59,8 +56,7 @@ Curve contact(const py::object& heights, const Spacing& spacing, bool gradient, 
         const py::gil_scoped_release unlocked;
         Curve curve = press(surface, genome, model, gradient, area_gradient);
         if (!filling.filled.empty())
-            curve.account +=
-                (curve.account.empty() ? "" : "; ") + app::fill_note(surface, filling.filled, model);
+            curve.account += (curve.account.empty() ? "" : "; ") + app::fill_note(surface, filling.filled, model);
         curve.body = model.body;
         if (resolution)
             static_cast<rough::ResolutionBand&>(curve) = resolution_band(surface, model, curve, *resolution);
@@ -101,8 +97,7 @@ True
 } // namespace
 
 void add_contact(py::module_& module) {
-    py::class_<Curve>(module, "Curve",
-                      "The response of a surface at its load steps; arrays are read-only views.")
+    py::class_<Curve>(module, "Curve", "The response of a surface at its load steps; arrays are read-only views.")
         .def_readonly("displacement", &Curve::displacement, "Approach, mm.")
         .def_readonly("pressure", &Curve::pressure, "Mean pressure, MPa.")
         .def_readonly("contact_fraction", &Curve::contact_fraction,
@@ -116,27 +111,20 @@ void add_contact(py::module_& module) {
                       "K of the same body with every node in contact, MPa/mm.")
         .def_readonly("height_range", &Curve::range, "Highest minus lowest height, mm.")
         .def_property_readonly(
-            "solver", [](const Curve& c) { return rough::name_of(c.solver); },
-            "Name of the solver that was used.")
+            "solver", [](const Curve& c) { return rough::name_of(c.solver); }, "Name of the solver that was used.")
         .def_readonly("contact_fraction_low", &Curve::contact_fraction_low,
                       "With resolution='auto' or 'on': lowest value over the heights as given and "
                       "interpolated 4 times, linearly and by a spline. Empty if it was not computed.")
-        .def_readonly("contact_fraction_high", &Curve::contact_fraction_high,
-                      "Highest value over these heights.")
-        .def_readonly("tangent_stiffness_low", &Curve::tangent_stiffness_low,
-                      "Lowest K over these heights, MPa/mm.")
-        .def_readonly("tangent_stiffness_high", &Curve::tangent_stiffness_high,
-                      "Highest K over these heights, MPa/mm.")
-        .def_readonly(
-            "account", &Curve::account,
-            "With accuracy=: how it was modelled, and its errors. With filled points: their effect.")
-        .def_readonly(
-            "pressure_gradient", &Curve::pressure_gradient,
-            "With gradient=True: dp/dheights (steps x N, MPa/mm, a map row by row), or dp/dgenes for a "
-            "genome.")
-        .def_readonly(
-            "displacement_gradient", &Curve::displacement_gradient,
-            "With gradient=True: derivative of the last displacement with respect to heights or genes.")
+        .def_readonly("contact_fraction_high", &Curve::contact_fraction_high, "Highest value over these heights.")
+        .def_readonly("tangent_stiffness_low", &Curve::tangent_stiffness_low, "Lowest K over these heights, MPa/mm.")
+        .def_readonly("tangent_stiffness_high", &Curve::tangent_stiffness_high, "Highest K over these heights, MPa/mm.")
+        .def_readonly("account", &Curve::account,
+                      "With accuracy=: how it was modelled, and its errors. With filled points: their effect.")
+        .def_readonly("pressure_gradient", &Curve::pressure_gradient,
+                      "With gradient=True: dp/dheights (steps x N, MPa/mm, a map row by row), or dp/dgenes for a "
+                      "genome.")
+        .def_readonly("displacement_gradient", &Curve::displacement_gradient,
+                      "With gradient=True: derivative of the last displacement with respect to heights or genes.")
         .def_readonly("smooth_contact_fraction", &Curve::smooth_contact_fraction,
                       "With area_gradient=True: contact fraction without its steps, which refinement uses.")
         .def_readonly("contact_fraction_gradient", &Curve::contact_fraction_gradient,
@@ -152,13 +140,12 @@ void add_contact(py::module_& module) {
              "(tangential displacement mm, traction MPa, stiffness MPa/mm, stick fraction) under the last "
              "load. slip_assumption says what it assumes.")
         .def_property_readonly(
-            "slip_assumption",
-            [](const Curve& c) { return rough::slip_assumption(c.body, c.surface.is_2d()); },
+            "slip_assumption", [](const Curve& c) { return rough::slip_assumption(c.body, c.surface.is_2d()); },
             "The assumptions of partial_slip(), in words.")
         .def("__len__", &Curve::steps)
         .def("__repr__", [](const Curve& c) {
-            return rough::line_of("<rugosa.Curve of ", c.steps(), " load steps to ",
-                                  c.pressure[c.steps() - 1], " MPa>");
+            return rough::line_of("<rugosa.Curve of ", c.steps(), " load steps to ", c.pressure[c.steps() - 1],
+                                  " MPa>");
         });
     module.def("contact", &contact, py::arg("heights"), py::arg("spacing") = py::none(), py::kw_only(),
                py::arg("gradient") = false, py::arg("area_gradient") = false,

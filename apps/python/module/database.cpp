@@ -17,8 +17,7 @@ std::vector<StoredAnswer> query(const GenomeStore& store,
     const auto* one = std::get_if<rough::Target>(&targets);
     const py::gil_scoped_release unlocked;
     const GenomeStore opened = GenomeStore::open(store.file()); // another thread may build
-    return stored_answers(opened,
-                          query_from(settings, opened, one ? std::vector{*one} : std::get<1>(targets)),
+    return stored_answers(opened, query_from(settings, opened, one ? std::vector{*one} : std::get<1>(targets)),
                           settings.whole<std::size_t>("best"), settings.whole<int>("threads"));
 }
 
@@ -60,10 +59,10 @@ void add_database(py::module_& module) {
             "The genome with the amplitude that matches the targets best.");
     py::class_<GenomeStore>(module, "Database", "A file of genomes and their responses.")
         .def(py::init(&GenomeStore::open), "file"_a, "Opens an existing database.")
-        .def_static("create", &create_store, "file"_a, "genomes"_a = py::none(),
-                    documented("Makes a database. An existing one keeps its set-up if none is given.\n",
-                               app::build_settings())
-                        .c_str())
+        .def_static(
+            "create", &create_store, "file"_a, "genomes"_a = py::none(),
+            documented("Makes a database. An existing one keeps its set-up if none is given.\n", app::build_settings())
+                .c_str())
         .def("build", &build_store, "genomes"_a, "Adds missing genomes. Keywords are those of create().")
         .def("query", &query, "targets"_a, "best"_a = py::none(),
              documented("The stored genomes nearest to a Target or a list of Targets, sorted by falling\n"

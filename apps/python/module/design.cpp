@@ -37,8 +37,7 @@ std::vector<rough::Target> targets_from(Keywords& keywords) {
                                          {"target_interface_stiffness", rough::Quantity::interface_stiffness},
                                          {"target_contact_fraction", rough::Quantity::area_at_pressure}}) {
         const auto y = keywords.take_numbers(name);
-        if (!y)
-            continue;
+        if (!y) continue;
         if (!x || x->size() != y->size())
             rough::refuse("design: ", name, " and target_pressure differ in length; give the same length");
         rough::Target target;
@@ -56,8 +55,7 @@ std::vector<rough::Target> targets_from(Keywords& keywords) {
 ga::Observer<rough::Genome> observer(const py::object& progress, Callback& callback) {
     return [progress, &callback, best = -HUGE_VAL](const ga::Event<rough::Genome>& event) mutable {
         for (const auto& individual : event.population)
-            if (individual.fitness.has_value())
-                best = std::max(best, individual.value());
+            if (individual.fitness.has_value()) best = std::max(best, individual.value());
         callback([&] { progress(event.path, event.generation, event.counters.requested, best); });
     };
 }
@@ -74,19 +72,16 @@ Design design(const py::object& pressure, const py::object& stiffness, py::kwarg
     const auto progress = keywords.take<py::object>("progress");
     const auto like = keywords.take<py::object>("like");
     const Spacing spacing = keywords.take<OneOrTwo>("spacing");
-    if (like && !targets.empty())
-        throw py::type_error("design: like and a target were given; give only one of them");
+    if (like && !targets.empty()) throw py::type_error("design: like and a target were given; give only one of them");
     if (!like && targets.empty())
-        throw py::type_error(
-            "design: no target; give target_pressure and target_stiffness, target= or like=");
+        throw py::type_error("design: no target; give target_pressure and target_stiffness, target= or like=");
     std::optional<rough::Profile> surface;
     Filling filling = like ? filling_from(keywords) : Filling();
     std::vector<std::string> unknown = flags_of_trust;
     if (like) {
         surface = surface_from(*like, spacing, "design: like", filling);
         unknown.emplace_back("length");
-        if (surface->is_2d())
-            unknown.emplace_back("nodes");
+        if (surface->is_2d()) unknown.emplace_back("nodes");
     } else {
         unknown.insert(unknown.end(), {"quantity", "points"});
     }
@@ -101,14 +96,12 @@ Design design(const py::object& pressure, const py::object& stiffness, py::kwarg
         request.setup = {.model = surface_model_from(settings), .targets = targets};
     }
     Design run{app::design_from(settings, std::move(request)), {}};
-    if (starts)
-        run.options.starts = *starts;
+    if (starts) run.options.starts = *starts;
     Interruptible interrupt;
     run.options.stop = &interrupt.stop();
     Callback callback(interrupt.stop());
     std::vector<ga::Observer<rough::Genome>> observers;
-    if (progress)
-        observers.push_back(observer(*progress, callback));
+    if (progress) observers.push_back(observer(*progress, callback));
     {
         const py::gil_scoped_release unlocked;
         run.found = search(run.setup, run.options, observers);
@@ -128,26 +121,24 @@ py::dict without_units(const nlohmann::json& part) {
 py::dict tolerance_of(Design& design) {
     if (!design.tolerance) {
         const py::gil_scoped_release unlocked;
-        design.tolerance =
-            rough::tolerance_of(design.setup, design.found.best.genome, app::priced_tolerance(design));
+        design.tolerance = rough::tolerance_of(design.setup, design.found.best.genome, app::priced_tolerance(design));
     }
     py::dict result = without_units(app::tolerance_json(*design.tolerance));
     py::list curve;
     for (const rough::NoiseQuantile& one : design.tolerance->curve)
-        curve.append(py::dict("noise_rms"_a = one.noise_rms, "quantile"_a = one.quantile,
-                              "median"_a = one.median, "draws"_a = one.draws));
+        curve.append(py::dict("noise_rms"_a = one.noise_rms, "quantile"_a = one.quantile, "median"_a = one.median,
+                              "draws"_a = one.draws));
     result["curve"] = curve;
     return result;
 }
 
-py::dict trust_of(const Design& design, double noise, double tilt, std::optional<double> hardness,
-                  std::uint64_t seed, int threads) {
+py::dict trust_of(const Design& design, double noise, double tilt, std::optional<double> hardness, std::uint64_t seed,
+                  int threads) {
     rough::TrustOptions options = design.trust_options;
     rough::DesignSetup setup = design.setup;
     setup.errors.noise = noise;
     setup.errors.tilt = tilt;
-    if (hardness)
-        options.hardness = hardness;
+    if (hardness) options.hardness = hardness;
     options.seed = seed;
     options.threads = threads;
     rough::Trust trust;
@@ -189,17 +180,13 @@ void add_design(py::module_& module) {
         .def_property_readonly(
             "genome", [](const Design& d) -> const rough::Genome& { return d.found.best.genome; }, inside)
         .def_property_readonly(
-            "profile",
-            [](const Design& d) { return as_python(sample(d.found.best.genome, d.setup.model.grid)); },
+            "profile", [](const Design& d) { return as_python(sample(d.found.best.genome, d.setup.model.grid)); },
             "Its heights on the grid of the design: a Profile or a Surface.")
         .def_property_readonly("heights", of_heights("heights"), "N heights, mm; N_y x N_x of a Surface.")
-        .def_property_readonly("spacing", of_heights("spacing"),
-                               "Node spacing, mm; a pair along x and y of a Surface.")
+        .def_property_readonly("spacing", of_heights("spacing"), "Node spacing, mm; a pair along x and y of a Surface.")
         .def_property_readonly("similarity", [](const Design& d) { return d.found.best.similarity; })
-        .def_property_readonly("similarity_refined",
-                               [](const Design& d) { return if_verified(d.found.best.refined); })
-        .def_property_readonly("similarity_worst",
-                               [](const Design& d) { return if_verified(d.found.best.worst); })
+        .def_property_readonly("similarity_refined", [](const Design& d) { return if_verified(d.found.best.refined); })
+        .def_property_readonly("similarity_worst", [](const Design& d) { return if_verified(d.found.best.worst); })
         .def_property_readonly(
             "found", [](const Design& d) { return is_found(d); },
             "Whether similarity_worst is as high as requested, by default 0.99.")
@@ -210,14 +197,12 @@ void add_design(py::module_& module) {
             "out_of_reach",
             [](const Design& d) {
                 std::vector<std::string> reasons;
-                for (const auto& reason : d.unreachable.reasons)
-                    reasons.push_back(reason.verdict());
+                for (const auto& reason : d.unreachable.reasons) reasons.push_back(reason.verdict());
                 return reasons;
             },
             "Reasons why no profile, or no map, can match the target exactly; empty if one may.")
         .def_property_readonly(
-            "alternatives",
-            [](const Design& d) -> const std::vector<Answer>& { return d.found.alternatives; },
+            "alternatives", [](const Design& d) -> const std::vector<Answer>& { return d.found.alternatives; },
             "Different answers, the best first.")
         .def_property_readonly("targets", [](const Design& d) { return d.setup.targets; })
         .def_readonly("curve", &Design::curve, "The response of the answer.")
@@ -241,11 +226,10 @@ a dictionary, with the curve of similarities under noise. Lengths in mm.)")
              R"(Checks the answer on finer grids, in more load steps, with another datum, under height noise
 (mm rms) or a tilt (mm over the length) and on other bodies: `trust` of result.json as a dictionary.)")
         .def("__repr__", [](const Design& d) {
-            return d.found.best.is_verified()
-                       ? rough::line_of("<rugosa.Design, ", is_found(d) ? "found" : "not found",
-                                        ": lowest similarity ", d.found.best.lowest(), ">")
-                       : rough::line_of("<rugosa.Design, not verified: similarity ", d.found.best.similarity,
-                                        " on its grid>");
+            return d.found.best.is_verified() ? rough::line_of("<rugosa.Design, ", is_found(d) ? "found" : "not found",
+                                                               ": lowest similarity ", d.found.best.lowest(), ">")
+                                              : rough::line_of("<rugosa.Design, not verified: similarity ",
+                                                               d.found.best.similarity, " on its grid>");
         });
     module.def("design", &design, "target_pressure"_a = py::none(), "target_stiffness"_a = py::none(),
                documented(help_of_design, app::search_settings(), flags_of_trust).c_str());

@@ -14,14 +14,12 @@ py::array array_of(const std::string& genes) {
 /// The genes of the arguments: lower and upper of real ones, or the number of bits or of permuted items.
 Genes genes_from(Keywords& keywords) {
     const auto lower = keywords.take_numbers("lower"), upper = keywords.take_numbers("upper");
-    const auto bits = keywords.take<std::size_t>("bits", 0),
-               permutation = keywords.take<std::size_t>("permutation", 0);
+    const auto bits = keywords.take<std::size_t>("bits", 0), permutation = keywords.take<std::size_t>("permutation", 0);
     const bool real = lower || upper;
     if (real + (bits > 0) + (permutation > 0) != 1)
         rough::refuse("optimise: no kind of genes, or two; give one of lower and upper, bits, "
                       "permutation");
-    if (!real)
-        return {bits > 0 ? Genes::Kind::bits : Genes::Kind::permutation, bits + permutation};
+    if (!real) return {bits > 0 ? Genes::Kind::bits : Genes::Kind::permutation, bits + permutation};
     if (!lower || !upper || lower->size() != upper->size() || lower->size() == 0 ||
         !(lower->array() <= upper->array()).all() || !(*upper - *lower).allFinite())
         rough::refuse("optimise: lower and upper do not fit; give lists of one length, no lower "
@@ -51,8 +49,7 @@ Optimisation requested(const py::object& problem, const py::kwargs& given) {
     const auto start = keywords.take<std::vector<std::vector<double>>>("start", {});
     for (std::size_t i = 0; i < start.size(); ++i) {
         std::vector<std::string> values;
-        for (const double value : start[i])
-            values.push_back(ga::number(value));
+        for (const double value : start[i]) values.push_back(ga::number(value));
         search.start.push_back(
             app::numbers_from(search.genes, values, "optimise: start, row " + std::to_string(i + 1)));
     }
@@ -141,8 +138,7 @@ void add_engine(py::module_& module) {
              "failed.")
         .def("result", &Search::result, "Ends the search and returns its Optimisation.");
     module.def(
-        "search", [](const py::kwargs& given) { return begin_search(requested(py::none(), given)); },
-        help_of_search);
+        "search", [](const py::kwargs& given) { return begin_search(requested(py::none(), given)); }, help_of_search);
     module.def(
         "optimise",
         [](const py::object& problem, const py::kwargs& given) {

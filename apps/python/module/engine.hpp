@@ -23,7 +23,7 @@ struct Optimisation : app::OutsideSearch {
 class Search {
   public:
     virtual ~Search() = default;
-    virtual py::array ask() = 0; ///< genomes x genes; no rows after the end of the search
+    virtual py::array ask() = 0;                      ///< genomes x genes; no rows after the end of the search
     virtual void tell(const py::object& answers) = 0; ///< one per row of ask(), in its order
     virtual Optimisation result() = 0;                ///< ends it
 };

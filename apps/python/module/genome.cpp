@@ -49,10 +49,8 @@ void add_genome(py::module_& module) {
             "genes"_a, "The genome with its genes replaced.")
         .def(
             "profile",
-            [](const Genome& genome, const py::object& nodes, const py::object& length,
-               const py::object& kernel) {
-                Keywords keywords(py::dict("nodes"_a = nodes, "length"_a = length, "kernel"_a = kernel),
-                                  "profile");
+            [](const Genome& genome, const py::object& nodes, const py::object& length, const py::object& kernel) {
+                Keywords keywords(py::dict("nodes"_a = nodes, "length"_a = length, "kernel"_a = kernel), "profile");
                 return as_python(rough::sample(genome, model_from(keywords).grid));
             },
             "nodes"_a = py::none(), "length"_a = py::none(), "kernel"_a = py::none(),
@@ -60,8 +58,7 @@ void add_genome(py::module_& module) {
             "Surface if one of them is a pair along x and y.")
         .def("__repr__", [](const Genome& genome) {
             std::size_t chromosomes = 0;
-            for (const auto& series : genome.series)
-                chromosomes += series.chromosomes.size();
+            for (const auto& series : genome.series) chromosomes += series.chromosomes.size();
             return rough::line_of("<rugosa.Genome of ", genome.series.size(), " series, ", chromosomes,
                                   " chromosomes>");
         });

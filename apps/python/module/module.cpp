@@ -11,17 +11,14 @@ const std::thread::id main_thread = std::this_thread::get_id(); ///< handles Pyt
 Interruptible* current = nullptr;
 
 void request_stop(int) {
-    if (current)
-        current->stop() = true;
+    if (current) current->stop() = true;
 }
 
 /// A value as in the program's flags and keys: "on", "1e-3", "64x48" or, between commas, "1,2". A list of
 /// layers has one line each, "T:E:NU".
 std::string text_of(const py::handle& value, const std::string& between) {
-    if (py::isinstance<py::bool_>(value))
-        return value.cast<bool>() ? "on" : "off";
-    if (py::isinstance<py::str>(value) || !py::hasattr(value, "__len__"))
-        return py::str(value);
+    if (py::isinstance<py::bool_>(value)) return value.cast<bool>() ? "on" : "off";
+    if (py::isinstance<py::str>(value) || !py::hasattr(value, "__len__")) return py::str(value);
     std::string text;
     for (const py::handle each : value)
         text += (text.empty() ? "" : between) + text_of(each, between == "\n" ? ":" : between);
@@ -38,36 +35,31 @@ rough::Model with_load(rough::Model model, const app::Settings& settings) {
 } // namespace
 
 Interruptible::Interruptible() {
-    if (std::this_thread::get_id() != main_thread || current)
-        return;
+    if (std::this_thread::get_id() != main_thread || current) return;
     current = this;
     holds_ = true;
     before_ = std::signal(SIGINT, request_stop);
 }
 
 Interruptible::~Interruptible() {
-    if (!holds_)
-        return;
+    if (!holds_) return;
     std::signal(SIGINT, before_);
     current = nullptr;
 }
 
 void Interruptible::rethrow() const {
-    if (!requested())
-        return;
+    if (!requested()) return;
     PyErr_SetNone(PyExc_KeyboardInterrupt);
     throw py::error_already_set();
 }
 
-app::Settings Keywords::settings(const std::vector<app::Setting>& known,
-                                 const std::vector<std::string>& except) {
+app::Settings Keywords::settings(const std::vector<app::Setting>& known, const std::vector<std::string>& except) {
     std::map<std::string, std::string> given;
     for (const app::Setting& setting : known) {
         const std::string keyword = app::keyword(setting.name);
         if (std::find(except.begin(), except.end(), keyword) == except.end())
             if (const auto value = take<py::object>(keyword))
-                given[setting.name] =
-                    text_of(*value, setting.between ? std::string(1, setting.between) : "x");
+                given[setting.name] = text_of(*value, setting.between ? std::string(1, setting.between) : "x");
     }
     return {app::Settings::keywords, known, given};
 }
@@ -83,9 +75,8 @@ rough::Model model_from(Keywords& keywords, const rough::Profile& surface) {
 }
 
 const std::vector<app::Setting>& response_settings() {
-    static const auto all = app::joined({app::model_settings(),
-                                         {app::accuracy_setting("the response of the whole model")},
-                                         app::loading_settings()});
+    static const auto all = app::joined(
+        {app::model_settings(), {app::accuracy_setting("the response of the whole model")}, app::loading_settings()});
     return all;
 }
 

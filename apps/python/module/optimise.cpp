@@ -16,8 +16,7 @@ py::array_t<Gene<G>> rows_of(const Items& items, std::size_t columns, GenomeOf g
     py::array_t<Gene<G>> rows({items.size(), columns});
     Gene<G>* cell = rows.mutable_data();
     for (const auto& item : items)
-        for (const auto gene : std::invoke(genome_of, item))
-            *cell++ = static_cast<Gene<G>>(gene);
+        for (const auto gene : std::invoke(genome_of, item)) *cell++ = static_cast<Gene<G>>(gene);
     return rows;
 }
 template <class G>
@@ -30,8 +29,7 @@ template <class G>
 py::array_t<double> fitness_of(const ga::Population<G>& population) {
     py::array_t<double> fitness(std::ssize(population));
     double* cell = fitness.mutable_data();
-    for (const auto& each : population)
-        *cell++ = each.fitness.has_value() ? each.value() : std::nan("");
+    for (const auto& each : population) *cell++ = each.fitness.has_value() ? each.value() : std::nan("");
     return fitness;
 }
 
@@ -39,8 +37,7 @@ py::array_t<double> fitness_of(const ga::Population<G>& population) {
 template <class G>
 G genome_of(const py::object& row, std::size_t count) {
     const auto values = row.cast<std::vector<Gene<G>>>();
-    if (values.size() != count)
-        rough::refuse("genes: an operator returned ", values.size(), " genes; return ", count);
+    if (values.size() != count) rough::refuse("genes: an operator returned ", values.size(), " genes; return ", count);
     if constexpr (std::same_as<G, ga::Permutation>) {
         ga::Permutation permutation;
         for (const long value : values) // one outside 0 .. count - 1 becomes one that is not valid
@@ -53,8 +50,7 @@ G genome_of(const py::object& row, std::size_t count) {
 /// The first line of an exception, "ValueError: mesh failed". Throws the exception again if it is not an
 /// Exception, e.g. KeyboardInterrupt.
 std::string first_line_of(py::error_already_set& error) {
-    if (!error.matches(PyExc_Exception))
-        throw;
+    if (!error.matches(PyExc_Exception)) throw;
     const std::string text = error.what();
     return text.substr(0, text.find('\n'));
 }
@@ -71,10 +67,8 @@ std::vector<double> values_from(const py::object& value, const std::string& wher
 /// one per constraint. None, an exception and numbers that are not finite are failures.
 ga::Evaluation<app::Evaluation> answer_of(const py::handle& given, std::size_t objectives) {
     const auto whole = py::reinterpret_borrow<py::object>(given);
-    if (whole.is_none())
-        return ga::reason("evaluate returned None");
-    if (PyExceptionInstance_Check(whole.ptr()))
-        return ga::reason(py::str(whole));
+    if (whole.is_none()) return ga::reason("evaluate returned None");
+    if (PyExceptionInstance_Check(whole.ptr())) return ga::reason(py::str(whole));
     app::Evaluation answer;
     if (py::isinstance<py::tuple>(whole) && py::len(whole) == 2 && py::hasattr(whole[py::int_(0)], "__len__"))
         answer = {values_from(whole[py::int_(0)], "evaluate"), values_from(whole[py::int_(1)], "evaluate")};
@@ -82,8 +76,7 @@ ga::Evaluation<app::Evaluation> answer_of(const py::handle& given, std::size_t o
         answer = {values_from(whole, "evaluate")};
     if (answer.objectives.size() != objectives)
         rough::refuse("evaluate: ", answer.objectives.size(), " objectives returned; return ", objectives);
-    if (!app::is_valid(answer, objectives))
-        return ga::reason("an objective or violation is not finite");
+    if (!app::is_valid(answer, objectives)) return ga::reason("an objective or violation is not finite");
     return answer;
 }
 
@@ -99,16 +92,14 @@ app::OutsideProblem<G> problem_of(const Optimisation& search, Callback& callback
                 std::string error;
                 (*call)([&] {
                     try {
-                        slopes =
-                            values_from(object->attr("gradient")(py::array(py::cast(genome))), "gradient");
+                        slopes = values_from(object->attr("gradient")(py::array(py::cast(genome))), "gradient");
                     } catch (py::error_already_set& raised) {
                         error = first_line_of(raised);
                     } catch (const rough::InputError& refused) {
                         error = refused.what();
                     }
                 });
-                if (!error.empty())
-                    throw std::runtime_error(error);
+                if (!error.empty()) throw std::runtime_error(error);
                 return slopes;
             };
     return problem;
@@ -141,25 +132,21 @@ class ByPython : public ga::Evaluator<P> {
             };
             const auto fail = [&](std::span<ga::EvaluationCall<P>> failed, py::error_already_set& error) {
                 const ga::Reason why = ga::reason(first_line_of(error));
-                if (!search_.first_error)
-                    search_.first_error = std::current_exception();
-                for (auto& call : failed)
-                    *call.answer = why;
+                if (!search_.first_error) search_.first_error = std::current_exception();
+                for (auto& call : failed) *call.answer = why;
             };
             if (py::hasattr(own, "evaluate_batch")) {
                 try {
                     const py::list answers(own.attr("evaluate_batch")(rows));
                     expect_answers("evaluate_batch", answers.size(), calls.size());
-                    for (std::size_t i = 0; i < calls.size(); ++i)
-                        take(calls[i], answers[i]);
+                    for (std::size_t i = 0; i < calls.size(); ++i) take(calls[i], answers[i]);
                 } catch (py::error_already_set& error) {
                     fail(calls, error);
                 }
                 return;
             }
             const py::object evaluate = py::hasattr(own, "evaluate") ? py::object(own.attr("evaluate")) : own;
-            for (std::size_t i = 0; i < calls.size() && !watch.expired(); ++i)
-                try {
+            for (std::size_t i = 0; i < calls.size() && !watch.expired(); ++i) try {
                     take(calls[i], evaluate(rows[py::int_(i)]));
                 } catch (py::error_already_set& error) {
                     fail(calls.subspan(i, 1), error);
@@ -205,8 +192,7 @@ struct PythonOperator : ga::Operator {
                 child.genome = genome_of<G>(answer[py::int_(i)], columns);
                 if (!ga::is_valid(context.problem(), child.genome))
                     rough::refuse("operator ", name, ": row ", i + 1,
-                                  " is not a genome; return finite numbers or each of 0 to ", columns - 1,
-                                  " once");
+                                  " is not a genome; return finite numbers or each of 0 to ", columns - 1, " once");
                 context.make_child(child, {});
                 made.push_back(std::move(child));
             }
@@ -270,8 +256,7 @@ struct Prepared {
         search.population = genes_of(found.population, problem.count);
         if (found.is_dead_end && !search.record.best() && search.first_error)
             std::rethrow_exception(search.first_error);
-        if (found.is_dead_end && !search.record.best())
-            rough::refuse("optimise: ", found.stopped);
+        if (found.is_dead_end && !search.record.best()) rough::refuse("optimise: ", found.stopped);
         search.spent = found.counters.evaluations;
         search.failures = found.counters.failures;
         search.stopped = found.stopped;
@@ -286,8 +271,7 @@ class AskTell : public Search {
   public:
     explicit AskTell(Optimisation search)
         : search_(std::move(search)), prepared_(search_, stop_),
-          engine_(prepared_.stage, prepared_.problem, prepared_.start, prepared_.run, prepared_.observers()) {
-    }
+          engine_(prepared_.stage, prepared_.problem, prepared_.start, prepared_.run, prepared_.observers()) {}
     ~AskTell() override {
         const py::gil_scoped_release unlocked; // its thread may call Python
         engine_.stop();
@@ -310,8 +294,7 @@ class AskTell : public Search {
         if (asker_ != std::this_thread::get_id() && !open_.empty())
             rough::refuse("tell: another thread has asked since; use a search in one thread");
         std::vector<ga::Evaluation<app::Evaluation>> answers;
-        for (const py::handle& each : given)
-            answers.push_back(answer_of(each, search_.minimise.size()));
+        for (const py::handle& each : given) answers.push_back(answer_of(each, search_.minimise.size()));
         const auto open = std::exchange(open_, {}); // another thread may ask
         for (std::size_t i = 0; i < answers.size(); ++i)
             if (const auto* answer = std::get_if<app::Evaluation>(&answers[i]))

@@ -34,8 +34,7 @@ RealArray array_from(const py::object& given, const std::string& where) {
 
 Eigen::VectorXd numbers_from(const py::object& given, const std::string& where) {
     const RealArray array = array_from(given, where);
-    if (array.ndim() != 1)
-        rough::refuse(where, ": an array of ", array.ndim(), " dimensions; give one dimension");
+    if (array.ndim() != 1) rough::refuse(where, ": an array of ", array.ndim(), " dimensions; give one dimension");
     return Eigen::Map<const Eigen::VectorXd>(array.data(), array.size());
 }
 
@@ -45,11 +44,9 @@ std::optional<Eigen::VectorXd> Keywords::take_numbers(const std::string& name) {
 }
 
 void warn_of_filling(const Profile& surface, const Filling& filling, const rough::Model& model) {
-    if (filling.filled.empty())
-        return;
+    if (filling.filled.empty()) return;
     const std::string note = app::fill_note(surface, filling.filled, model);
-    if (PyErr_WarnEx(PyExc_UserWarning, note.c_str(), 1) != 0)
-        throw py::error_already_set();
+    if (PyErr_WarnEx(PyExc_UserWarning, note.c_str(), 1) != 0) throw py::error_already_set();
 }
 
 namespace {
@@ -57,16 +54,12 @@ namespace {
 /// Fills the missing points of a surface. Leaves those at the ends of a line out.
 Profile without_holes(Profile surface, const std::string& where, Filling& filling) {
     rough::MissingPoints missing = missing_points(surface);
-    if (!missing)
-        return surface;
-    if (!filling.fill)
-        rough::refuse(where, ": ", in_words(missing, surface.is_2d()), "; give fill=True to fill them");
+    if (!missing) return surface;
+    if (!filling.fill) rough::refuse(where, ": ", in_words(missing, surface.is_2d()), "; give fill=True to fill them");
     const auto measured = [&](rough::Index i) { return !std::isnan(surface.heights[i]); };
     rough::Index first = 0, end = surface.nodes();
-    while (!surface.is_2d() && first < end && !measured(first))
-        ++first;
-    while (!surface.is_2d() && end > first && !measured(end - 1))
-        --end;
+    while (!surface.is_2d() && first < end && !measured(first)) ++first;
+    while (!surface.is_2d() && end > first && !measured(end - 1)) --end;
     if (end - first < surface.nodes() && end > first) {
         surface.heights = surface.heights.segment(first, end - first).eval();
         missing = missing_points(surface);
@@ -91,8 +84,7 @@ Shape shape_from(const py::object& heights, const Distance& spacing, bool fill, 
     Filling filling{fill, max_filled};
     Shape shape{surface_from(heights, OneOrTwo(spacing), name, filling)};
     if (shape.is_2d() != is_map)
-        rough::refuse(name, ": the heights have ",
-                      is_map ? "1 dimension; give two" : "2 dimensions; give one");
+        rough::refuse(name, ": the heights have ", is_map ? "1 dimension; give two" : "2 dimensions; give one");
     return shape;
 }
 
@@ -106,9 +98,8 @@ Profile row_of(const Surface& surface, rough::Index row) {
 /// The options of a scan that a map has, too.
 std::vector<app::Setting> map_options() {
     std::vector<app::Setting> options = app::scan_settings();
-    std::erase_if(options, [](const app::Setting& option) {
-        return option.name == "row" || option.name == "outliers";
-    });
+    std::erase_if(options,
+                  [](const app::Setting& option) { return option.name == "row" || option.name == "outliers"; });
     return options;
 }
 
@@ -125,18 +116,15 @@ py::tuple read_profile(const std::filesystem::path& file, const py::kwargs& opti
 
 } // namespace
 
-Profile surface_from(const py::object& heights, const Spacing& spacing, const std::string& where,
-                     Filling& filling) {
+Profile surface_from(const py::object& heights, const Spacing& spacing, const std::string& where, Filling& filling) {
     if (const bool map = py::isinstance<Surface>(heights); map || py::isinstance<Profile>(heights)) {
-        if (spacing)
-            throw py::type_error(where + ": a Profile or Surface has a spacing; leave spacing out");
+        if (spacing) throw py::type_error(where + ": a Profile or Surface has a spacing; leave spacing out");
         return map ? heights.cast<const Surface&>() : heights.cast<const Profile&>();
     }
     const RealArray array = array_from(heights, where);
     if (array.ndim() != 1 && array.ndim() != 2)
         rough::refuse(where, ": the heights have ", array.ndim(), " dimensions; give one or two dimensions");
-    if (!spacing)
-        throw py::type_error(where + ": spacing is missing; give the distance of the nodes, mm");
+    if (!spacing) throw py::type_error(where + ": spacing is missing; give the distance of the nodes, mm");
     if (array.ndim() == 1 && spacing->index() == 1)
         throw py::type_error(where + ": two spacings for heights along a line; give one");
     const double* one = std::get_if<double>(&*spacing);
@@ -146,8 +134,7 @@ Profile surface_from(const py::object& heights, const Spacing& spacing, const st
     Profile surface{Eigen::Map<const Eigen::VectorXd>(array.data(), array.size()), along};
     if (array.ndim() == 2) {
         if (array.shape(0) < 2 || array.shape(1) < 2)
-            rough::refuse(where, ": a map of ", array.shape(0), " x ", array.shape(1),
-                          " heights; give at least 2 x 2");
+            rough::refuse(where, ": a map of ", array.shape(0), " x ", array.shape(1), " heights; give at least 2 x 2");
         surface.rows = array.shape(0);
         surface.row_spacing = across;
     }
@@ -219,27 +206,25 @@ void add_profile(py::module_& module) {
             "Numbers of nodes along x and y.")
         .def(
             "roughness",
-            [](const Surface& surface, bool periodic) {
-                return in_dictionary(areal_parameters(surface, periodic));
-            },
+            [](const Surface& surface, bool periodic) { return in_dictionary(areal_parameters(surface, periodic)); },
             "periodic"_a = false,
             "Sa, Sq, Sdq, Sal, Str, ... (ISO 25178-2, lengths in mm) about the mean plane. periodic: "
             "whether\n"
             "the surface repeats.")
         .def("row", &row_of, "row"_a, "One row as a Profile, counted from 0.")
         .def("__repr__", [](const Surface& s) {
-            return rough::line_of("<rugosa.Surface of ", s.shape().columns, " x ", s.rows, " nodes, ",
-                                  s.spacing, " x ", s.row_spacing, " mm apart>");
+            return rough::line_of("<rugosa.Surface of ", s.shape().columns, " x ", s.rows, " nodes, ", s.spacing, " x ",
+                                  s.row_spacing, " mm apart>");
         });
     module.def("read_surface", &read_surface, "file"_a,
                documented("Reads a map: X3P, SDF, SUR, GSF, GWY, columns x, y, height, or a text matrix with "
                           "its spacing (a pair along x and y).",
                           map_options())
                    .c_str());
-    module.def("read_profile", &read_profile, "file"_a,
-               documented("Reads a measured scan: (Profile, how it was read and changed, in words).",
-                          app::scan_settings())
-                   .c_str());
+    module.def(
+        "read_profile", &read_profile, "file"_a,
+        documented("Reads a measured scan: (Profile, how it was read and changed, in words).", app::scan_settings())
+            .c_str());
 }
 
 } // namespace rugosa::python

@@ -31,15 +31,13 @@ class Keywords {
     /// `where` begins the messages.
     Keywords(const py::dict& given, std::string where) : where_(std::move(where)) {
         for (const auto& [name, value] : given)
-            if (!value.is_none())
-                left_[py::cast<std::string>(name)] = py::reinterpret_borrow<py::object>(value);
+            if (!value.is_none()) left_[py::cast<std::string>(name)] = py::reinterpret_borrow<py::object>(value);
     }
     /// The value, or nothing if it was not given or is None. Throws TypeError if it has another type.
     template <class T>
     std::optional<T> take(const std::string& name) {
         const auto found = left_.find(name);
-        if (found == left_.end())
-            return {};
+        if (found == left_.end()) return {};
         const py::object value = std::move(found->second);
         left_.erase(found);
         try {
@@ -58,8 +56,7 @@ class Keywords {
     std::optional<Eigen::VectorXd> take_numbers(const std::string& name);
     /// The keywords with the names of these settings ('_' for '-') except some, read as the program reads its
     /// flags.
-    app::Settings settings(const std::vector<app::Setting>& known,
-                           const std::vector<std::string>& except = {});
+    app::Settings settings(const std::vector<app::Setting>& known, const std::vector<std::string>& except = {});
     /// The keywords as by `settings` of a call that takes no others.
     app::Settings only(const std::vector<app::Setting>& known) {
         app::Settings all = settings(known);
@@ -68,8 +65,7 @@ class Keywords {
     }
     /// Throws TypeError that names a keyword that was not taken.
     void expect_none_left() const {
-        if (!left_.empty())
-            throw py::type_error(where_ + ": unknown keyword '" + left_.begin()->first + "'");
+        if (!left_.empty()) throw py::type_error(where_ + ": unknown keyword '" + left_.begin()->first + "'");
     }
 
   private:
@@ -160,8 +156,7 @@ class Callback {
     template <class Call>
     void operator()(Call call) {
         const py::gil_scoped_acquire lock;
-        if (error_)
-            return;
+        if (error_) return;
         try {
             call();
         } catch (const py::cast_error&) {
@@ -170,8 +165,7 @@ class Callback {
         } catch (...) {
             error_ = std::current_exception();
         }
-        if (error_)
-            stop_ = true;
+        if (error_) stop_ = true;
     }
     /// Returns work(), which runs without the interpreter's lock. Rethrows a kept exception instead.
     template <class Work>
@@ -188,8 +182,7 @@ class Callback {
         return result;
     }
     void rethrow() const {
-        if (error_)
-            std::rethrow_exception(error_);
+        if (error_) std::rethrow_exception(error_);
     }
 
   private:

@@ -32,17 +32,15 @@ Target target_read(const std::filesystem::path& file, const py::kwargs& given) {
     return rough::read_target(file, scales_from(settings, model));
 }
 
-Target target_like(const py::object& like, const Spacing& spacing, const std::string& quantity,
-                   rough::Index points, std::optional<double> last, const py::kwargs& given) {
+Target target_like(const py::object& like, const Spacing& spacing, const std::string& quantity, rough::Index points,
+                   std::optional<double> last, const py::kwargs& given) {
     Keywords keywords(given, "Target.like");
     const bool is_genome = py::isinstance<rough::Genome>(like);
     Filling filling = filling_from(keywords);
-    rough::Profile surface =
-        is_genome ? rough::Profile() : surface_from(like, spacing, "Target.like", filling);
+    rough::Profile surface = is_genome ? rough::Profile() : surface_from(like, spacing, "Target.like", filling);
     const rough::Model model = is_genome ? model_from(keywords) : model_from(keywords, surface);
     keywords.expect_none_left();
-    if (is_genome)
-        surface = sample(like.cast<const rough::Genome&>(), model.grid);
+    if (is_genome) surface = sample(like.cast<const rough::Genome&>(), model.grid);
     warn_of_filling(surface, filling, model);
     return rough::target_like(surface, model, "like", rough::quantity_named(quantity), {points, last});
 }
@@ -65,11 +63,10 @@ x: pressures (MPa), or displacements (mm) of 'area-displacement' and 'load'; y: 
                     "Reads a target file (CSV). A conductance needs conductivity (W/(m K)) or resistivity\n"
                     "(ohm m) of the two bodies. Friction needs shear_strength (MPa). Model keywords are\n"
                     "as in contact().")
-        .def_static(
-            "like", &target_like, "surface"_a, "spacing"_a = py::none(), py::kw_only(),
-            "quantity"_a = "stiffness", "points"_a = 20, "last"_a = py::none(),
-            "The response of a surface at evenly spaced points up to `last` (default: its whole load);\n"
-            "model keywords as in contact().")
+        .def_static("like", &target_like, "surface"_a, "spacing"_a = py::none(), py::kw_only(),
+                    "quantity"_a = "stiffness", "points"_a = 20, "last"_a = py::none(),
+                    "The response of a surface at evenly spaced points up to `last` (default: its whole load);\n"
+                    "model keywords as in contact().")
         .def_readonly("x", &Target::x)
         .def_readonly("y", &Target::y)
         .def_property_readonly("quantity", [](const Target& t) { return rough::name_of(t.quantity); })
@@ -77,8 +74,7 @@ x: pressures (MPa), or displacements (mm) of 'area-displacement' and 'load'; y: 
         .def("to_csv", &rough::to_csv, "The text of a target file.")
         .def("__len__", &Target::points)
         .def("__repr__", [](const Target& t) {
-            return rough::line_of("<rugosa.Target of ", rough::name_of(t.quantity), ", ", t.points(),
-                                  " points>");
+            return rough::line_of("<rugosa.Target of ", rough::name_of(t.quantity), ", ", t.points(), " points>");
         });
 }
 

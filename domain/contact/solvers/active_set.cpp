@@ -42,8 +42,7 @@ class ActiveSet {
         start(approach, std::move(guess));
         for (double tolerance = options_.tolerance;;) {
             problem_.is_2d() ? iterate_map(approach, tolerance) : iterate_line(approach, tolerance);
-            if (purpose_ == Purpose::guess)
-                return step_solution(set_, load_, tangent_, false);
+            if (purpose_ == Purpose::guess) return step_solution(set_, load_, tangent_, false);
             find_tangent();
             const double error =
                 std::abs(missing_load(problem_, approach, set_, load_, tangent_)) / load_.pressure.sum();
@@ -63,15 +62,13 @@ class ActiveSet {
             load_.pressure *= load / load_.pressure.sum();
             set_.assign([&](Index i) { return load_.pressure[i] > 0; });
         } else {
-            const double before = sum_of(load_), growth = load / before - 1,
-                         step = (load - before) / sum_of(tangent_);
+            const double before = sum_of(load_), growth = load / before - 1, step = (load - before) / sum_of(tangent_);
             move(step);
             ahead_ = step * (1 - std::log1p(growth) / growth);
         }
         stale_ = true;
         iterate_map(approach, options_.tolerance);
-        if (purpose_ == Purpose::guess)
-            return step_solution(set_, load_, tangent_, false);
+        if (purpose_ == Purpose::guess) return step_solution(set_, load_, tangent_, false);
         find_tangent();
         approach -= missing_load(problem_, approach, set_, load_, tangent_) / sum_of(tangent_);
         return step_solution(set_, load_, tangent_, options_.states);
@@ -95,8 +92,7 @@ class ActiveSet {
     /// left out, which gives the tangent just below full contact.
     void find_tangent() {
         Index lowest = problem_.nodes();
-        if (problem_.is_2d() && problem_.is_singular() &&
-            static_cast<Index>(set_.nodes().size()) == problem_.nodes()) {
+        if (problem_.is_2d() && problem_.is_singular() && static_cast<Index>(set_.nodes().size()) == problem_.nodes()) {
             load_.pressure.minCoeff(&lowest);
             set_.erase(lowest);
             set_.collect();
@@ -118,8 +114,7 @@ class ActiveSet {
                 load_.displacement.segment(first, n) += by * tangent_.displacement.segment(first, n);
             }
         });
-        if (product)
-            load_.displacement_error += by * tangent_.displacement_error;
+        if (product) load_.displacement_error += by * tangent_.displacement_error;
     }
 
     /// Starts from the step before, moved along its tangent or by the growth of a coarser grid's pressures
@@ -141,8 +136,7 @@ class ActiveSet {
         approach_ = approach;
         solver_.update(load_, rough_accuracy * approach);
         stale_ = false;
-        if (!is_guided)
-            return;
+        if (!is_guided) return;
         double left = residual(load_, approach);
         if (is_first && left > std::max(0.0, approach - problem_.gap.minCoeff()) / approach) {
             load_.pressure.setZero();
@@ -152,8 +146,7 @@ class ActiveSet {
         if (grown) {
             solver_.update(*grown, rough_accuracy * approach);
             const double of_grown = residual(*grown, approach);
-            if (of_grown > left)
-                return;
+            if (of_grown > left) return;
             left = of_grown;
             load_ = std::move(*grown);
         }
@@ -166,8 +159,8 @@ class ActiveSet {
         double level = 0;
         solver_.improve(
             set_, [&](Index i) { return approach - problem_.gap[i]; }, load_,
-            Enough{target * std::abs(approach), [&](double) { return check_stop(options_), false; }},
-            max_iterations, sum_ ? &level : nullptr, projected);
+            Enough{target * std::abs(approach), [&](double) { return check_stop(options_), false; }}, max_iterations,
+            sum_ ? &level : nullptr, projected);
         approach -= level;
         stale_ = !problem_.is_2d();
     }
@@ -177,15 +170,13 @@ class ActiveSet {
         const auto is_loaded = [&](int i) { return load_.pressure[i] > 0; };
         if (sum_)
             if (const double count = sum_over_set(is_loaded); count > 0)
-                approach = sum_over_set([&](int i) {
-                               return is_loaded(i) ? problem_.gap[i] + load_.displacement[i] : 0;
-                           }) /
-                           count;
+                approach =
+                    sum_over_set([&](int i) { return is_loaded(i) ? problem_.gap[i] + load_.displacement[i] : 0; }) /
+                    count;
         depth_.resize(problem_.nodes());
         deepest_ = problem_.team->largest(problem_.nodes(), [&](Index first, Index n) {
             auto depth = depth_.segment(first, n);
-            depth =
-                approach - (problem_.gap.segment(first, n) + load_.displacement.segment(first, n)).array();
+            depth = approach - (problem_.gap.segment(first, n) + load_.displacement.segment(first, n)).array();
             return depth.maxCoeff();
         });
     }
@@ -224,8 +215,7 @@ class ActiveSet {
                 look(approach);
                 worst = residual(approach);
             }
-            if (worst <= tolerance)
-                return;
+            if (worst <= tolerance) return;
             swings = worst < share_left * lowest ? 0 : swings + 1;
             lowest = std::min(lowest, worst);
             swinging_ = swinging_ || swings == max_swings;
@@ -242,19 +232,16 @@ class ActiveSet {
             const double accuracy = std::min(rough_accuracy, 0.1 * target) * approach;
             if (change_set(approach, min_depth, accuracy)) {
                 double worst = 0;
-                for (const int i : set_.nodes())
-                    worst = std::max(worst, std::abs(depth_[i]) / approach);
+                for (const int i : set_.nodes()) worst = std::max(worst, std::abs(depth_[i]) / approach);
                 // The next change is looked for at a residual well under what caused this one.
                 target = std::max(finest_residual, loosening * worst);
             } else if (target > tolerance) {
                 target = std::max(tolerance, loosening * target);
             } else {
-                const double trusted =
-                    purpose_ == Purpose::guess
-                        ? target
-                        : trusted_residual(problem_, approach, load_.pressure, load_.displacement);
-                if (target <= finest_residual || target <= trusted)
-                    return;
+                const double trusted = purpose_ == Purpose::guess
+                                           ? target
+                                           : trusted_residual(problem_, approach, load_.pressure, load_.displacement);
+                if (target <= finest_residual || target <= trusted) return;
                 target = std::max(finest_residual, std::clamp(trusted, loosening * target, 0.5 * target));
             }
             improve(approach, target);
@@ -266,33 +253,27 @@ class ActiveSet {
     bool change_set(double& approach, double min_depth, double accuracy) {
         std::vector<int> dropped;
         for (const int i : set_.nodes())
-            if (!(load_.pressure[i] > 0))
-                dropped.push_back(i);
+            if (!(load_.pressure[i] > 0)) dropped.push_back(i);
         for (const int i : dropped) {
             set_.erase(i);
             load_.pressure[i] = 0;
         }
         if (const double growth = sum_ ? *sum_ / sum_of(load_) : 1; std::abs(growth - 1) > sum_rounding) {
             for (Eigen::VectorXd* scaled : {&load_.pressure, &load_.updated, &load_.displacement})
-                problem_.team->each_range(
-                    scaled->size(), [&](Index first, Index n, int) { scaled->segment(first, n) *= growth; });
+                problem_.team->each_range(scaled->size(),
+                                          [&](Index first, Index n, int) { scaled->segment(first, n) *= growth; });
             load_.displacement_error *= growth;
         }
-        if (stale_ || !dropped.empty())
-            solver_.update(load_, accuracy);
+        if (stale_ || !dropped.empty()) solver_.update(load_, accuracy);
         stale_ = false;
         look(approach);
         std::vector<int> added;
         if (dropped.empty() || problem_.is_2d())
-            added =
-                advancing_nodes(depth_, set_.touching(), problem_.shape, min_depth + ahead_, *problem_.team);
+            added = advancing_nodes(depth_, set_.touching(), problem_.shape, min_depth + ahead_, *problem_.team);
         ahead_ = 0;
-        if (swinging_ && !dropped.empty())
-            added.clear();
-        for (const int i : added)
-            set_.insert(i);
-        if (!dropped.empty() || !added.empty())
-            set_.collect();
+        if (swinging_ && !dropped.empty()) added.clear();
+        for (const int i : added) set_.insert(i);
+        if (!dropped.empty() || !added.empty()) set_.collect();
         return !dropped.empty() || !added.empty();
     }
 
@@ -315,8 +296,8 @@ class ActiveSet {
 /// Interpolates squares of pressures along a coarse line, zero off contact, to the nodes of a fine one. One
 /// value beyond each edge of contact is extrapolated and may be negative. Values are `step` apart, from the
 /// first on.
-void refine_line(const double* squares, Index coarse, Index coarse_step, Index stride, double* fine,
-                 Index nodes, Index step) {
+void refine_line(const double* squares, Index coarse, Index coarse_step, Index stride, double* fine, Index nodes,
+                 Index step) {
     const auto square = [&](Index k) { return squares[k * coarse_step]; };
     auto beyond = [&](Index edge, Index inner) {
         const double slope = inner >= 0 && inner < coarse ? square(inner) - square(edge) : 0;
@@ -327,8 +308,7 @@ void refine_line(const double* squares, Index coarse, Index coarse_step, Index s
         const Index left = i / stride, right = std::min(left + 1, coarse - 1);
         double a = square(left), b = square(right);
         fine[i * step] = 0;
-        if (a == 0 && b == 0)
-            continue;
+        if (a == 0 && b == 0) continue;
         if (a == 0)
             a = beyond(right, right + 1);
         else if (b == 0)
@@ -341,8 +321,7 @@ void refine_line(const double* squares, Index coarse, Index coarse_step, Index s
 /// First guess of the pressures at every node of the fine grid, from the solution on every `stride`-th one
 /// from the first on. Linear in p^2 along x, then along y: near an edge p^2 falls linearly to zero, so that
 /// edges are found within the coarse spacing.
-Eigen::VectorXd refined_pressures(const StepSolution& coarse, Extent from, Index stride, Extent to,
-                                  Team& team) {
+Eigen::VectorXd refined_pressures(const StepSolution& coarse, Extent from, Index stride, Extent to, Team& team) {
     Eigen::VectorXd squares = Eigen::VectorXd::Zero(from.nodes());
     for (std::size_t k = 0; k < coarse.nodes.size(); ++k)
         squares[coarse.nodes[k]] = std::pow(coarse.pressure[static_cast<Index>(k)], 2);
@@ -380,16 +359,14 @@ constexpr double nearly_full = 0.8, narrow_gap = 8;
 /// The pressures of full contact under the problem's first load, without its tensions: the nearest pressures
 /// p >= 0 with the load as their sum. Nothing if the gaps are too many or too wide.
 std::optional<Eigen::VectorXd> clipped_full_contact(const ContactProblem& problem) {
-    if (!problem.is_2d() || problem.kernel != Kernel::periodic || problem.load.empty())
-        return {};
+    if (!problem.is_2d() || problem.kernel != Kernel::periodic || problem.load.empty()) return {};
     Eigen::VectorXd full = full_contact_pressure(problem);
     const double nodes = static_cast<double>(problem.nodes()), load = problem.load[0];
     // Newton's method on a convex piecewise linear function comes from above and ends at its solution.
     for (double mean = load / nodes;;) {
         const double excess = (full.array() + mean).cwiseMax(0).sum() - load,
                      loaded = static_cast<double>((full.array() + mean > 0).count());
-        if (loaded < nearly_full * nodes)
-            return {};
+        if (loaded < nearly_full * nodes) return {};
         if (!(excess > 1e-9 * load) || mean - excess / loaded == mean) {
             full = (full.array() + mean).cwiseMax(0).eval();
             const auto is_gap = full.array() == 0;
@@ -403,8 +380,7 @@ std::optional<Eigen::VectorXd> clipped_full_contact(const ContactProblem& proble
 
 /// Solves every load step, on the coarser grid first as long as it is worth it. The first load begins with an
 /// even pressure on the smallest grid, and if the coarser grid is in full contact below the load.
-void solve_levels(const ContactProblem& problem, const ContactOptions& options, Purpose purpose,
-                  Solution& solution) {
+void solve_levels(const ContactProblem& problem, const ContactOptions& options, Purpose purpose, Solution& solution) {
     std::optional<Eigen::VectorXd> flat;
     if (purpose == Purpose::curve) // a guess would end with it
         flat = clipped_full_contact(problem);
@@ -417,31 +393,26 @@ void solve_levels(const ContactProblem& problem, const ContactOptions& options, 
     const Solution coarse = cascade ? guess(coarse_problem, options) : Solution();
     ActiveSet solver(problem, options, purpose);
     std::optional<SplitOperator> check;
-    if (purpose == Purpose::curve)
-        check.emplace(problem.column, problem.shape, *problem.team);
+    if (purpose == Purpose::curve) check.emplace(problem.column, problem.shape, *problem.team);
     double approach = 0;
     for (std::size_t j = 0; j < problem.steps(); ++j) {
         const long before = solver.applies();
         std::optional<Eigen::VectorXd> start;
         if (j < coarse.steps.size()) {
-            start = refined_pressures(coarse.steps[j], coarse_problem.shape, stride, problem.shape,
-                                      *problem.team);
+            start = refined_pressures(coarse.steps[j], coarse_problem.shape, stride, problem.shape, *problem.team);
             approach = coarse.steps[j].approach;
         } else if (flat) {
             start = std::exchange(flat, std::nullopt);
             approach = problem.gap.mean();
         } else if (by_load && j == 0) {
-            start = Eigen::VectorXd::Constant(problem.nodes(),
-                                              problem.load[0] / static_cast<double>(problem.nodes()));
+            start = Eigen::VectorXd::Constant(problem.nodes(), problem.load[0] / static_cast<double>(problem.nodes()));
             approach = problem.gap.mean();
         }
-        if (!by_load)
-            approach = problem.approach[j];
+        if (!by_load) approach = problem.approach[j];
         StepSolution found = by_load ? solver.solve_load(problem.load[j], approach, std::move(start))
                                      : solver.solve_step(approach, std::move(start));
         found.approach = approach;
-        if (check)
-            certify_step("active set", problem, found, *check, solver.pressure(), 2 * options.tolerance);
+        if (check) certify_step("active set", problem, found, *check, solver.pressure(), 2 * options.tolerance);
         solution.steps.push_back(std::move(found));
         solution.iterations += solver.applies() - before;
     }
@@ -473,12 +444,10 @@ void solve_active_set(const ContactProblem& problem, const ContactOptions& optio
         solve_levels(problem, options, Purpose::curve, solution);
     } catch (const NotConverged&) {
         check_stop(options);
-        if (!problem.load.empty())
-            throw;
+        if (!problem.load.empty()) throw;
         ContactProblem rest = problem;
         rest.approach.erase(rest.approach.begin(),
-                            rest.approach.begin() +
-                                static_cast<std::ptrdiff_t>(solution.steps.size() - before));
+                            rest.approach.begin() + static_cast<std::ptrdiff_t>(solution.steps.size() - before));
         solve_capped(rest, options, solution);
     }
 }

@@ -10,16 +10,16 @@ constexpr double new_summit_share = 0.6;
 constexpr double far = 2;
 
 struct Doubt {
-    double edge; ///< 0: sure to stay in contact, 1: as likely to be dropped; `far` in a run without a contact
-                 ///< at its ends
+    double edge;    ///< 0: sure to stay in contact, 1: as likely to be dropped; `far` in a run without a contact
+                    ///< at its ends
     double deepest; ///< depth in the run
 };
 
 /// Assesses a run of penetrating nodes along a line of n nodes, `stride` apart. The run begins at number
 /// `place` of the line, node `first`. Calls note(node, doubt); returns the number of its nodes.
 template <class Penetrates, class Touches, class Note>
-Index assess_run(const Eigen::ArrayXd& depth, Index first, Index stride, Index place, Index n,
-                 Penetrates penetrates, Touches touches, Note note) {
+Index assess_run(const Eigen::ArrayXd& depth, Index first, Index stride, Index place, Index n, Penetrates penetrates,
+                 Touches touches, Note note) {
     Index count = 1;
     double deepest = depth[first];
     for (; place + count < n && penetrates(first + count * stride); ++count)
@@ -47,17 +47,14 @@ std::vector<int> advancing_nodes(const Eigen::ArrayXd& depth, const std::vector<
     const std::vector<int> deep = team.where(depth.size(), penetrates);
     std::vector<std::pair<double, int>> found;
     const auto take = [&](Index i, const Doubt& doubt) {
-        const double share =
-            doubt.edge < far ? doubt.edge : (1 - depth[i] / doubt.deepest) / (1 - new_summit_share);
-        if (share < 1)
-            found.emplace_back(share, static_cast<int>(i));
+        const double share = doubt.edge < far ? doubt.edge : (1 - depth[i] / doubt.deepest) / (1 - new_summit_share);
+        if (share < 1) found.emplace_back(share, static_cast<int>(i));
     };
     const Index columns = shape.columns;
     const bool area = shape.rows > 1;
     std::vector<Doubt> along_y(area ? deep.size() : 0);
     const auto of_y = [&](Index i) -> Doubt& {
-        return along_y[static_cast<std::size_t>(std::lower_bound(deep.begin(), deep.end(), i) -
-                                                deep.begin())];
+        return along_y[static_cast<std::size_t>(std::lower_bound(deep.begin(), deep.end(), i) - deep.begin())];
     };
     if (area)
         for (const Index i : deep) // starting at the first node of each run
@@ -66,17 +63,14 @@ std::vector<int> advancing_nodes(const Eigen::ArrayXd& depth, const std::vector<
                            [&](Index k, const Doubt& doubt) { of_y(k) = doubt; });
     for (const Index i : deep)
         if (i % columns == 0 || !penetrates(i - 1))
-            assess_run(
-                depth, i, 1, i % columns, columns, penetrates, touches, [&](Index k, const Doubt& along_x) {
-                    if (!area)
-                        return take(k, along_x);
-                    const Doubt& other = of_y(k);
-                    take(k, {std::min(along_x.edge, other.edge), std::max(along_x.deepest, other.deepest)});
-                });
+            assess_run(depth, i, 1, i % columns, columns, penetrates, touches, [&](Index k, const Doubt& along_x) {
+                if (!area) return take(k, along_x);
+                const Doubt& other = of_y(k);
+                take(k, {std::min(along_x.edge, other.edge), std::max(along_x.deepest, other.deepest)});
+            });
     std::sort(found.begin(), found.end());
     std::vector<int> nodes;
-    for (const auto& entry : found)
-        nodes.push_back(entry.second);
+    for (const auto& entry : found) nodes.push_back(entry.second);
     return nodes;
 }
 

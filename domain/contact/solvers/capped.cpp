@@ -23,9 +23,9 @@ class BoundedPressures {
   public:
     BoundedPressures(const ContactProblem& problem, const ContactOptions& options, Eigen::VectorXd lower,
                      Eigen::VectorXd upper)
-        : problem_(problem), options_(options), lower_(std::move(lower)), upper_(std::move(upper)),
-          solver_(problem), check_(problem.column, problem.shape, *problem.team), free_(problem.nodes()),
-          load_(problem.nodes()), tangent_(problem.nodes()) {}
+        : problem_(problem), options_(options), lower_(std::move(lower)), upper_(std::move(upper)), solver_(problem),
+          check_(problem.column, problem.shape, *problem.team), free_(problem.nodes()), load_(problem.nodes()),
+          tangent_(problem.nodes()) {}
 
     /// Presses until the gaps to `goal` are small against the approach.
     void solve(double approach, Eigen::VectorXd goal) {
@@ -39,18 +39,15 @@ class BoundedPressures {
             const double before = worst;
             worst = find_free(0.5 * enough);
             // Rounding may allow no better; the certificate verifies.
-            if (worst <= enough || (worst >= 0.5 * before && worst <= 100 * enough))
-                break;
-            if (!descend(std::max(0.1 * enough, falling * worst)))
-                break;
+            if (worst <= enough || (worst >= 0.5 * before && worst <= 100 * enough)) break;
+            if (!descend(std::max(0.1 * enough, falling * worst))) break;
         }
     }
 
     /// The pressures on `nodes`, with the stiffness of those between the bounds.
     StepSolution solution(double approach, std::vector<int> nodes) {
         ContactSet elastic(problem_.nodes());
-        elastic.assign(
-            [&](Index i) { return load_.pressure[i] > lower_[i] && load_.pressure[i] < upper_[i]; });
+        elastic.assign([&](Index i) { return load_.pressure[i] > lower_[i] && load_.pressure[i] < upper_[i]; });
         if (problem_.is_singular() && static_cast<Index>(elastic.nodes().size()) == problem_.nodes())
             elastic.assign([&](Index i) { return free_.holds(i); }); // without the lowest node
         solver_.tangent(elastic, tangent_tolerance, true, tangent_);
@@ -59,8 +56,7 @@ class BoundedPressures {
         step.nodes = std::move(nodes);
         step.held = static_cast<Index>(step.nodes.size() - elastic.nodes().size());
         step.pressure = load_.pressure(step.nodes);
-        if (options_.states)
-            step.tangent = tangent_.pressure(step.nodes);
+        if (options_.states) step.tangent = tangent_.pressure(step.nodes);
         return step;
     }
 
@@ -83,12 +79,10 @@ class BoundedPressures {
             free_.insert(i);
             ++count;
             worst = std::max(worst, std::abs(gap));
-            if (problem_.gap[i] > problem_.gap[deepest])
-                deepest = i;
+            if (problem_.gap[i] > problem_.gap[deepest]) deepest = i;
         }
         // All nodes of a periodic profile together have a singular matrix; the lowest one can wait.
-        if (problem_.is_singular() && count == problem_.nodes())
-            free_.erase(deepest);
+        if (problem_.is_singular() && count == problem_.nodes()) free_.erase(deepest);
         free_.collect();
         return worst;
     }
@@ -120,12 +114,10 @@ class BoundedPressures {
     /// if the approach is beyond that of full contact. Equal pressures displace nothing, so this lowers the
     /// energy.
     void raise(double negligible) {
-        if (!problem_.is_singular() || goal_.mean() <= negligible)
-            return;
+        if (!problem_.is_singular() || goal_.mean() <= negligible) return;
         Index highest = 0;
         const double change = (upper_ - load_.pressure).minCoeff(&highest);
-        if (change <= 0 || !std::isfinite(change))
-            return;
+        if (change <= 0 || !std::isfinite(change)) return;
         load_.pressure = (load_.pressure.array() + change).matrix().cwiseMin(upper_);
         load_.pressure[highest] = upper_[highest];
         solver_.update(load_);
@@ -148,9 +140,8 @@ class CappedContact {
 
     StepSolution solve_step(double approach, std::optional<double>) {
         bounded_.solve(approach, (approach - problem_.gap.array()).matrix());
-        StepSolution step = bounded_.solution(approach, problem_.team->where(problem_.nodes(), [&](Index i) {
-            return bounded_.pressure()[i] > 0;
-        }));
+        StepSolution step = bounded_.solution(
+            approach, problem_.team->where(problem_.nodes(), [&](Index i) { return bounded_.pressure()[i] > 0; }));
         certify_step("projected Newton's method", problem_, step, bounded_.check(), bounded_.pressure(),
                      direct_tolerance(problem_, step));
         return step;
@@ -172,8 +163,7 @@ void solve_slip(const ContactProblem& problem, const Eigen::VectorXd& limit, con
                 Solution& solution) {
     BoundedPressures bounded(problem, options, -limit, limit);
     const Eigen::VectorXd& traction = bounded.pressure();
-    const std::vector<int> touching =
-        problem.team->where(problem.nodes(), [&](Index i) { return limit[i] > 0; });
+    const std::vector<int> touching = problem.team->where(problem.nodes(), [&](Index i) { return limit[i] > 0; });
     for (const double moved : problem.approach) {
         bounded.solve(moved, Eigen::VectorXd::Constant(problem.nodes(), moved));
         StepSolution step = bounded.solution(moved, touching);
@@ -184,8 +174,7 @@ void solve_slip(const ContactProblem& problem, const Eigen::VectorXd& limit, con
                                                     : traction[i] <= -limit[i] ? -ahead
                                                                                : std::abs(ahead));
         }
-        if (moved > 0)
-            step.residual /= moved;
+        if (moved > 0) step.residual /= moved;
         expect_residual("partial slip", problem, step, direct_tolerance(problem, step));
         solution.steps.push_back(std::move(step));
     }

@@ -18,8 +18,7 @@ Certificate certify(const ContactProblem& problem, double approach, const std::v
         bool all = true;
         const double depth =
             vector_loops().deepest(problem.gap.data() + first, displacement + first, count, approach, all);
-        if (!all)
-            finite = false;
+        if (!all) finite = false;
         return depth;
     });
     if (!std::isfinite(mean) || !finite) // a NaN anywhere invalidates the solution
@@ -35,14 +34,11 @@ Certificate certify(const ContactProblem& problem, double approach, const std::v
         const Eigen::Map<const Eigen::VectorXd> u(displacement, problem.nodes());
         Eigen::ArrayXd depth = approach - (problem.gap + u).array();
         for (std::size_t k = 0; k < contact.size(); ++k)
-            if (pressure[static_cast<Index>(k)] >= problem.cap)
-                depth[contact[k]] = 0;
+            if (pressure[static_cast<Index>(k)] >= problem.cap) depth[contact[k]] = 0;
         deepest = depth.maxCoeff();
     }
     const double penetration = std::max(0.0, deepest);
-    const auto over_mean = [mean](double excess) {
-        return !(excess > 0) ? 0 : mean > 0 ? excess / mean : none;
-    };
+    const auto over_mean = [mean](double excess) { return !(excess > 0) ? 0 : mean > 0 ? excess / mean : none; };
     const double lowest = pressure.size() ? pressure.minCoeff() : 0,
                  largest = pressure.size() ? pressure.maxCoeff() : 0;
     return {misfit / scale, penetration / scale, over_mean(-lowest), over_mean(largest - problem.cap)};
@@ -51,13 +47,12 @@ Certificate certify(const ContactProblem& problem, double approach, const std::v
 double direct_tolerance(const ContactProblem& problem, const StepSolution& step) {
     constexpr double usual = 1e-9, unit_roundoff = 0x1p-53;
     const double rows = 3 * static_cast<double>(step.pressure.size()) + 1, h0 = problem.column[0];
-    return std::max(usual, rows * unit_roundoff *
-                               (h0 * step.pressure.cwiseAbs().sum() / step.approach +
-                                2 * std::sqrt(h0 * step.stiffness)));
+    return std::max(usual,
+                    rows * unit_roundoff *
+                        (h0 * step.pressure.cwiseAbs().sum() / step.approach + 2 * std::sqrt(h0 * step.stiffness)));
 }
 
-void expect_residual(const char* solver, const ContactProblem& problem, const StepSolution& step,
-                     double tolerance) {
+void expect_residual(const char* solver, const ContactProblem& problem, const StepSolution& step, double tolerance) {
     if (!(step.residual <= tolerance))
         throw NotConverged(line_of(solver, " did not converge at an approach of ",
                                    step.approach * problem.displacement_unit, " mm: residual ", step.residual,
@@ -67,8 +62,7 @@ void expect_residual(const char* solver, const ContactProblem& problem, const St
 void certify_step(const char* solver, const ContactProblem& problem, StepSolution& step, SplitOperator& check,
                   const Eigen::VectorXd& pressure, double tolerance) {
     const Eigen::VectorXd displacement = check.apply(pressure);
-    step.residual =
-        certify(problem, step.approach, step.nodes, step.pressure, displacement.data()).residual();
+    step.residual = certify(problem, step.approach, step.nodes, step.pressure, displacement.data()).residual();
     expect_residual(solver, problem, step, tolerance);
 }
 
@@ -76,8 +70,8 @@ double trusted_residual(const ContactProblem& problem, double approach, const Ei
                         const Eigen::VectorXd& displacement) {
     double margin = approach;
     for (Index i = 0; i < problem.nodes(); ++i)
-        margin = std::min(margin, pressure[i] > 0 ? pressure[i] / 3
-                                                  : (displacement[i] - (approach - problem.gap[i])) / 1.5);
+        margin =
+            std::min(margin, pressure[i] > 0 ? pressure[i] / 3 : (displacement[i] - (approach - problem.gap[i])) / 1.5);
     return margin / approach;
 }
 

@@ -28,8 +28,7 @@ Certificate certify(const ContactProblem& problem, double approach, const std::v
                     const Eigen::VectorXd& pressure, const double* displacement);
 
 /// Throws NotConverged if a step's residual exceeds the tolerance.
-void expect_residual(const char* solver, const ContactProblem& problem, const StepSolution& step,
-                     double tolerance);
+void expect_residual(const char* solver, const ContactProblem& problem, const StepSolution& step, double tolerance);
 /// Sets a step's residual, with H applied to the pressures at every node by `check`; then the same check.
 void certify_step(const char* solver, const ContactProblem& problem, StepSolution& step, SplitOperator& check,
                   const Eigen::VectorXd& pressure, double tolerance);

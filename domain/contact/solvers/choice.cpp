@@ -11,10 +11,9 @@ namespace {
 // less than a factor of seven, because otherwise the choice is plain.
 constexpr double per_elimination = 0.05; ///< a multiplication of the factor
 constexpr double per_transform = 0.6;    ///< a node of an FFT apply, times log2 of the padded length
-constexpr double applies_per_step =
-    36; ///< applies per step of the active set at 1e-6, which stand for all its work
-constexpr double checks_per_step = 3; ///< checks per step of the nested factor
-constexpr double regrowth = 1.5;      ///< eliminations over those of the final factor
+constexpr double applies_per_step = 36;  ///< applies per step of the active set at 1e-6, which stand for all its work
+constexpr double checks_per_step = 3;    ///< checks per step of the nested factor
+constexpr double regrowth = 1.5;         ///< eliminations over those of the final factor
 
 /// Predictions err by a factor of four in cost at most, as contact sets do by 1.6.
 constexpr double patience = 4;
@@ -27,14 +26,12 @@ constexpr double cost_of_choice = 0.05;
 
 /// The share of nodes that touch at the last step, on a coarse grid. It is 1 if that grid's factor would need
 /// more than `work_limit` multiplications.
-double expected_contact(const ContactProblem& problem, ContactOptions options,
-                        double work_limit = unlimited_work) {
+double expected_contact(const ContactProblem& problem, ContactOptions options, double work_limit = unlimited_work) {
     // Every sixteenth node, and more of a small grid, so that summits of short waves stay apart. The limit of
     // 2048 nodes takes a few milliseconds.
-    const Index sample =
-        std::clamp<Index>(problem.nodes() / 16, std::min<Index>(problem.nodes() / 4, 512), 2048);
-    const Index area_stride = static_cast<Index>(
-        std::ceil(std::sqrt(static_cast<double>(problem.nodes()) / static_cast<double>(sample))));
+    const Index sample = std::clamp<Index>(problem.nodes() / 16, std::min<Index>(problem.nodes() / 4, 512), 2048);
+    const Index area_stride =
+        static_cast<Index>(std::ceil(std::sqrt(static_cast<double>(problem.nodes()) / static_cast<double>(sample))));
     const Index stride = problem.shape.rows > 1 ? area_stride : (problem.nodes() + sample - 1) / sample;
     ContactProblem coarse = coarsened(problem, stride);
     const bool loaded = !problem.load.empty();
@@ -79,18 +76,14 @@ double predicted_cost(double nodes, double contact, double steps) {
 }
 
 double max_nested_work(const ContactProblem& problem) {
-    if (problem.nodes() <= always_nested)
-        return std::numeric_limits<double>::infinity();
+    if (problem.nodes() <= always_nested) return std::numeric_limits<double>::infinity();
     const double steps = static_cast<double>(problem.steps());
-    return patience * turned(problem) * active_set_cost(static_cast<double>(problem.nodes()), steps) /
-           per_elimination;
+    return patience * turned(problem) * active_set_cost(static_cast<double>(problem.nodes()), steps) / per_elimination;
 }
 
 Solver choose_solver(const ContactProblem& problem, const ContactOptions& options) {
-    if (options.solver != Solver::automatic)
-        return options.solver;
-    if (std::isfinite(problem.cap))
-        return Solver::active_set;
+    if (options.solver != Solver::automatic) return options.solver;
+    if (std::isfinite(problem.cap)) return Solver::active_set;
     if (!contact_sets_nest(problem, problem.shape))
         return problem.is_2d() || problem.nodes() > always_nested ? Solver::active_set : Solver::nnls;
     if (problem.nodes() <= always_nested || problem.steps() == 0 ||

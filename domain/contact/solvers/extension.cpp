@@ -45,8 +45,7 @@ Extension::Level::Level(Extent below)
 
 Extension::Extension(Extent shape, Team& team) : team_(team), shape_(shape), levels_{Level(shape)} {
     work_.resize(static_cast<std::size_t>((3 * levels_[0].shape.columns + 4) * team.size()));
-    while (levels_.back().shape.nodes() > 1)
-        levels_.emplace_back(levels_.back().shape);
+    while (levels_.back().shape.nodes() > 1) levels_.emplace_back(levels_.back().shape);
 }
 
 void Extension::know(std::vector<int> nodes) {
@@ -58,8 +57,7 @@ void Extension::know(std::vector<int> nodes) {
     starts_.clear();
     for (Index row = 0; row < shape_.rows; row += 2 * rows_together)
         starts_.push_back(static_cast<std::size_t>(
-            std::lower_bound(nodes_.begin(), nodes_.end(), static_cast<int>(row) * columns) -
-            nodes_.begin()));
+            std::lower_bound(nodes_.begin(), nodes_.end(), static_cast<int>(row) * columns) - nodes_.begin()));
     starts_.push_back(nodes_.size());
     const auto weight_above = [&](std::size_t k) -> float& {
         return levels_[0].weight[static_cast<std::size_t>(parents_[k])];
@@ -95,8 +93,7 @@ template <class Change>
 void Extension::each_node(Change change) {
     team_.each_block(static_cast<Index>(starts_.size()) - 1, [&](Index range, int) {
         const auto at = static_cast<std::size_t>(range);
-        for (std::size_t k = starts_[at]; k < starts_[at + 1]; ++k)
-            change(k);
+        for (std::size_t k = starts_[at]; k < starts_[at + 1]; ++k) change(k);
     });
 }
 
@@ -109,8 +106,7 @@ void Extension::refine(const Level& from, Extent shape, const float* weight, flo
             for (Index j = first; j < first + count; ++j) {
                 const float *here = from.value.data() + j / 2 * columns,
                             *there = from.value.data() + beside(j, from.shape.rows) * columns;
-                for (Index i = 0; i < columns; ++i)
-                    line[i] = nearer * here[i] + farther * there[i];
+                for (Index i = 0; i < columns; ++i) line[i] = nearer * here[i] + farther * there[i];
                 line[-1] = line[columns - 1];
                 line[columns] = line[0];
                 for (Index i = 0; i < columns; ++i) {
@@ -145,13 +141,11 @@ void Extension::coarsen(float* from, Extent shape, const float* weight, Level& i
                 if (!weight)
                     std::copy_n(at, shape.columns, row);
                 else
-                    for (Index i = 0; i < shape.columns; ++i)
-                        row[i] = at[i] - weight[j * shape.columns + i] * at[i];
+                    for (Index i = 0; i < shape.columns; ++i) row[i] = at[i] - weight[j * shape.columns + i] * at[i];
                 row[-1] = row[2 * columns - 1];
                 row[2 * columns] = row[0];
                 for (Index i = 0; i < columns; ++i)
-                    line[i] =
-                        nearer * (row[2 * i] + row[2 * i + 1]) + farther * (row[2 * i - 1] + row[2 * i + 2]);
+                    line[i] = nearer * (row[2 * i] + row[2 * i + 1]) + farther * (row[2 * i - 1] + row[2 * i + 2]);
             };
             const Index end = first + count;
             // The neighbours of the range, across the ends of the grid, too; then the range itself.
@@ -162,15 +156,13 @@ void Extension::coarsen(float* from, Extent shape, const float* weight, Level& i
             for (Index j = 2 * first; j < std::min(2 * end, shape.rows); ++j) {
                 take(j);
                 add(j / 2, nearer);
-                if (const Index other = j / 2 + (j % 2 ? 1 : -1); other >= first && other < end)
-                    add(other, farther);
+                if (const Index other = j / 2 + (j % 2 ? 1 : -1); other >= first && other < end) add(other, farther);
             }
             take(2 * (end % rows));
             add(end - 1, farther);
         },
         rows_together);
-    if (weight)
-        team_.each(shape.nodes(), [&](Index k) { from[k] *= weight[k]; });
+    if (weight) team_.each(shape.nodes(), [&](Index k) { from[k] *= weight[k]; });
 }
 
 void Extension::extend(float* field) {

@@ -48,7 +48,7 @@ class Extension {
     std::vector<std::size_t> starts_;   ///< positions of the first nodes of ranges of parents' rows
     std::vector<float> shares_, known_; ///< shares in the parents, and known values, of the nodes
     std::vector<Level> levels_;         ///< the last is a single square
-    std::vector<float> work_; ///< for each thread: a coarse row, a fine one, and numbers at their ends
+    std::vector<float> work_;           ///< for each thread: a coarse row, a fine one, and numbers at their ends
 };
 
 } // namespace rough

@@ -38,8 +38,7 @@ Index GrowingFactor::append(const std::vector<int>& nodes) {
 void GrowingFactor::resize() {
     const std::size_t known = std::min(places_.size(), nodes_.size());
     places_.resize(nodes_.size());
-    for (std::size_t k = known; k < nodes_.size(); ++k)
-        places_[k] = influence_.place(nodes_[k]);
+    for (std::size_t k = known; k < nodes_.size(); ++k) places_[k] = influence_.place(nodes_[k]);
     const auto padded = static_cast<std::size_t>((size() + width - 1) / width * width);
     inverse_diagonal_.resize(padded);
     one_.resize(padded);
@@ -50,8 +49,7 @@ void GrowingFactor::cut(Index size) {
     nodes_.resize(static_cast<std::size_t>(size));
     resize();
     const auto padded = one_.size();
-    if (size % width == 0)
-        return;
+    if (size % width == 0) return;
     // Rows past the end of the last panel become rows of the identity, so that whole panels can be worked on.
     double* last = panels_[padded / width - 1].data();
     for (Index row = size % width; row < width; ++row) {
@@ -64,8 +62,7 @@ void GrowingFactor::cut(Index size) {
 }
 
 void GrowingFactor::remove(const std::vector<Index>& positions) {
-    if (positions.empty())
-        return;
+    if (positions.empty()) return;
     const Index head = positions.front() / width; // panels before it stay as they are
     std::vector<Index> sources;                   // where each row from panel `head` on comes from
     std::vector<int> kept;
@@ -82,10 +79,8 @@ void GrowingFactor::remove(const std::vector<Index>& positions) {
     nodes_.insert(nodes_.end(), kept.begin(), kept.end());
     resize();
     const Index panels = static_cast<Index>(one_.size()) / width;
-    for (Index panel = head; panel < panels; ++panel)
-        move_row_heads(panel, sources, head * width);
-    for (Index panel = head; panel < panels; ++panel)
-        build_panel(panel, head);
+    for (Index panel = head; panel < panels; ++panel) move_row_heads(panel, sources, head * width);
+    for (Index panel = head; panel < panels; ++panel) build_panel(panel, head);
 }
 
 /// The rows of `panel` take the first `columns` columns of the rows they come from.
@@ -96,8 +91,7 @@ void GrowingFactor::move_row_heads(Index panel, const std::vector<Index>& source
     for (Index r = 0; r < width; ++r) {
         const Index source = r < filled ? sources[static_cast<std::size_t>(first + r)] : 0;
         const double* from = rows_[static_cast<std::size_t>(source / width)] + source % width;
-        for (Index j = 0; j < columns; ++j)
-            target[width * j + r] = r < filled ? from[width * j] : 0;
+        for (Index j = 0; j < columns; ++j) target[width * j + r] = r < filled ? from[width * j] : 0;
     }
 }
 
@@ -111,8 +105,7 @@ void GrowingFactor::fill_influence(Index panel, Index first_column) {
             rows[width * j + r] = r < filled ? h[-places_[static_cast<std::size_t>(first + r)]] : 0;
     }
     for (Index j = size(); j < columns; ++j)
-        for (Index r = 0; r < width; ++r)
-            rows[width * j + r] = first + r == j;
+        for (Index r = 0; r < width; ++r) rows[width * j + r] = first + r == j;
 }
 
 /// Eliminates a panel's rows; the blocks of columns before `first_block` are already those of L.
@@ -128,9 +121,7 @@ Index GrowingFactor::build_panel(Index panel, Index first_block) {
     return vector_loops().eliminate(factor(), panel, first_block, one, gap, min_pivot);
 }
 
-PanelFactor GrowingFactor::factor() {
-    return {rows_.data(), inverse_diagonal_.data(), one_.data(), gap_image_.data()};
-}
+PanelFactor GrowingFactor::factor() { return {rows_.data(), inverse_diagonal_.data(), one_.data(), gap_image_.data()}; }
 
 /// Sets x to the first size() entries of L^-T `padded`, which has an entry for each row of whole panels.
 void GrowingFactor::back_substitute(Eigen::VectorXd padded, Eigen::VectorXd& x) {

@@ -12,8 +12,7 @@ class GrowingFactor {
   public:
     /// An empty contact set. `gap` is g0 at every node (N entries, in a ContactProblem's units); both must
     /// outlive the factor.
-    GrowingFactor(const Influence& influence, const Eigen::VectorXd& gap)
-        : influence_(influence), gap_(gap) {}
+    GrowingFactor(const Influence& influence, const Eigen::VectorXd& gap) : influence_(influence), gap_(gap) {}
 
     const std::vector<int>& nodes() const { return nodes_; }         ///< A in the order of its rows
     Index size() const { return static_cast<Index>(nodes_.size()); } ///< rows of the factor
@@ -33,9 +32,7 @@ class GrowingFactor {
     /// sum of w
     double stiffness() const;
     /// Bytes of a factor with `size` rows.
-    static double bytes(Index size) {
-        return 4.0 * static_cast<double>(size + 8) * static_cast<double>(size + 8);
-    }
+    static double bytes(Index size) { return 4.0 * static_cast<double>(size + 8) * static_cast<double>(size + 8); }
 
   private:
     void resize();

@@ -16,8 +16,8 @@ class Influence {
   public:
     /// From the first column of N entries.
     Influence(const Eigen::VectorXd& first_column, Extent shape)
-        : shape_(shape), padded_((shape_.columns + block - 1) / block * block),
-          stride_(shape_.columns - 1 + padded_), table_((2 * shape_.rows - 1) * stride_) {
+        : shape_(shape), padded_((shape_.columns + block - 1) / block * block), stride_(shape_.columns - 1 + padded_),
+          table_((2 * shape_.rows - 1) * stride_) {
         std::fill_n(table_.data(), (2 * shape_.rows - 1) * stride_, 0.0);
         double* middle = table_.data() + (shape_.rows - 1) * stride_ + shape_.columns - 1;
         for (Index j = 0; j < shape_.rows; ++j)
@@ -58,13 +58,12 @@ class DirectOperator {
     /// Pressures on these nodes, in this order; u at every node (N entries), valid until the next call.
     const double* apply(const std::vector<int>& nodes, const Eigen::VectorXd& pressure) {
         places_.clear();
-        for (const int node : nodes)
-            places_.push_back(influence_.place(node));
+        for (const int node : nodes) places_.push_back(influence_.place(node));
         const Index columns = influence_.shape().columns;
         for (Index j = 0; j < influence_.shape().rows; ++j) // each row's end is the next one's to write
-            vector_loops().toeplitz(influence_.centre() + j * influence_.stride(),
-                                    influence_.padded_columns(), places_.data(), pressure.data(),
-                                    static_cast<Index>(nodes.size()), displacement_.data() + j * columns);
+            vector_loops().toeplitz(influence_.centre() + j * influence_.stride(), influence_.padded_columns(),
+                                    places_.data(), pressure.data(), static_cast<Index>(nodes.size()),
+                                    displacement_.data() + j * columns);
         return displacement_.data();
     }
 
@@ -72,8 +71,7 @@ class DirectOperator {
     /// numbers. The rule is fixed: each of the M log2 M operations of a transform costs as much as four
     /// multiplications.
     bool pays(std::size_t loaded) const {
-        return static_cast<double>(loaded) <=
-               4 * 2 * std::log2(2 * static_cast<double>(influence_.shape().nodes()));
+        return static_cast<double>(loaded) <= 4 * 2 * std::log2(2 * static_cast<double>(influence_.shape().nodes()));
     }
 
   private:

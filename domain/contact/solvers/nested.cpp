@@ -35,13 +35,11 @@ class NestedContact {
             const double* u = displacement();
             const Certificate certificate = certify(problem_, approach, factor_.nodes(), pressure_, u);
             residual = certificate.residual();
-            if (certificate.penetration <= gap_rounding || !add_penetrating(approach, u, load.has_value()))
-                break;
+            if (certificate.penetration <= gap_rounding || !add_penetrating(approach, u, load.has_value())) break;
         }
         StepSolution step{factor_.nodes(), pressure_, factor_.stiffness(), {}, residual, 0, approach};
         expect_residual("nested Cholesky", problem_, step, direct_tolerance(problem_, step));
-        if (options_.states)
-            factor_.tangent(step.tangent);
+        if (options_.states) factor_.tangent(step.tangent);
         return step;
     }
     /// Sweeps of additions or removals so far.
@@ -49,18 +47,15 @@ class NestedContact {
 
   private:
     const double* displacement() {
-        if (direct_.pays(factor_.nodes().size()))
-            return direct_.apply(factor_.nodes(), pressure_);
-        if (!fourier_)
-            fourier_.emplace(fourier_operator(problem_));
+        if (direct_.pays(factor_.nodes().size())) return direct_.apply(factor_.nodes(), pressure_);
+        if (!fourier_) fourier_.emplace(fourier_operator(problem_));
         return fourier_->apply(factor_.nodes(), pressure_);
     }
 
     /// Finds the pressures of the nodes in contact; under load control first the approach at which they carry
     /// the load.
     void find_pressures(double& approach, std::optional<double> load) {
-        if (load)
-            approach = factor_.approach_at(*load);
+        if (load) approach = factor_.approach_at(*load);
         factor_.pressures(approach, pressure_);
     }
 
@@ -69,10 +64,8 @@ class NestedContact {
         for (;;) {
             std::vector<Index> dropped;
             for (Index k = 0; k < pressure_.size(); ++k)
-                if (!(pressure_[k] > 0))
-                    dropped.push_back(k);
-            if (dropped.empty())
-                return;
+                if (!(pressure_[k] > 0)) dropped.push_back(k);
+            if (dropped.empty()) return;
             remove(dropped);
             find_pressures(approach, load);
             ++rounds_;
@@ -100,8 +93,7 @@ class NestedContact {
         }
         added.resize(static_cast<std::size_t>(appended));
         eliminate(appended);
-        for (const int node : added)
-            touching_[static_cast<std::size_t>(node)] = 1;
+        for (const int node : added) touching_[static_cast<std::size_t>(node)] = 1;
         ++rounds_;
         return !added.empty();
     }
@@ -117,8 +109,7 @@ class NestedContact {
     void eliminate(Index rows) {
         const double size = static_cast<double>(factor_.size());
         work_ += static_cast<double>(rows) * size * size / 2;
-        if (work_ > problem_.work_limit)
-            throw NotConverged("nested Cholesky needs far more work than was predicted");
+        if (work_ > problem_.work_limit) throw NotConverged("nested Cholesky needs far more work than was predicted");
     }
 
     const ContactProblem& problem_;
@@ -138,8 +129,7 @@ class NestedContact {
 
 void refuse_factor(Index nodes, const ContactOptions& options) {
     const double bytes = GrowingFactor::bytes(nodes);
-    if (bytes <= options.memory_limit)
-        return;
+    if (bytes <= options.memory_limit) return;
     refuse("nested Cholesky with ", nodes, " nodes in contact would take ", bytes / 1e9, " GB, at most ",
            options.memory_limit / 1e9, " GB are allowed; choose auto or active-set, which needs less");
 }

@@ -22,8 +22,7 @@ class LawsonHanson {
         while (iterations_ < limit) {
             check_stop(options_);
             const Index worst = max_violated(approach);
-            if (worst < 0 || factor_.append({static_cast<int>(worst)}) == 0)
-                break;
+            if (worst < 0 || factor_.append({static_cast<int>(worst)}) == 0) break;
             passive_[static_cast<std::size_t>(worst)] = 1;
             pressure_.conservativeResize(factor_.size());
             pressure_[factor_.size() - 1] = 0;
@@ -32,15 +31,13 @@ class LawsonHanson {
             // A sum over the passive set at every node, the factor's last row and its solution.
             const double size = static_cast<double>(factor_.size());
             work_ += size * (static_cast<double>(problem_.nodes()) + size);
-            if (work_ > problem_.work_limit)
-                throw NotConverged("NNLS needs too much work");
+            if (work_ > problem_.work_limit) throw NotConverged("NNLS needs too much work");
         }
         const double* u = fourier_.apply(factor_.nodes(), pressure_);
         const double residual = certify(problem_, approach, factor_.nodes(), pressure_, u).residual();
         StepSolution step{factor_.nodes(), pressure_, factor_.stiffness(), {}, residual, 0, approach};
         expect_residual("NNLS", problem_, step, direct_tolerance(problem_, step));
-        if (options_.states)
-            factor_.tangent(step.tangent);
+        if (options_.states) factor_.tangent(step.tangent);
         return step;
     }
 

@@ -13,9 +13,8 @@ constexpr long max_gradient_steps = 5000;
 class PolonskyKeer {
   public:
     PolonskyKeer(const ContactProblem& problem, const ContactOptions& options)
-        : problem_(problem), options_(options), solver_(problem),
-          check_(problem.column, problem.shape, *problem.team), set_(problem.nodes()), load_(problem.nodes()),
-          direction_(problem.nodes()), tangent_(problem.nodes()) {}
+        : problem_(problem), options_(options), solver_(problem), check_(problem.column, problem.shape, *problem.team),
+          set_(problem.nodes()), load_(problem.nodes()), direction_(problem.nodes()), tangent_(problem.nodes()) {}
 
     /// One step to an approach, or to a load if one is given.
     StepSolution solve_step(double approach, std::optional<double> load) {
@@ -29,8 +28,7 @@ class PolonskyKeer {
             load_.pressure = (approach - problem_.gap.array()).max(0);
             solver_.update(load_);
             const double work = load_.pressure.dot(load_.displacement);
-            if (work > 0)
-                load_.pressure *= load_.pressure.squaredNorm() / work;
+            if (work > 0) load_.pressure *= load_.pressure.squaredNorm() / work;
         }
         for (double tolerance = options_.tolerance;;) {
             iterate(approach, load, tolerance);
@@ -38,8 +36,7 @@ class PolonskyKeer {
             solver_.tangent(set_, options_.tolerance, options_.states, tangent_);
             const double error =
                 std::abs(missing_load(problem_, approach, set_, load_, tangent_)) / load_.pressure.sum();
-            if (error <= options_.tolerance || tolerance <= finest_residual)
-                break;
+            if (error <= options_.tolerance || tolerance <= finest_residual) break;
             tolerance = std::max(finest_residual, 0.3 * tolerance * options_.tolerance / error);
         }
         StepSolution step = step_solution(set_, load_, tangent_, options_.states);
@@ -56,24 +53,20 @@ class PolonskyKeer {
         double previous = 1, residual = 1;
         bool conjugate = false;
         for (long iteration = 0; iteration < max_gradient_steps; ++iteration) {
-            if (iteration % 16 == 0)
-                check_stop(options_);
+            if (iteration % 16 == 0) check_stop(options_);
             auto& p = load_.pressure;
             solver_.update(load_);
             const Eigen::Array<bool, Eigen::Dynamic, 1> contact = p.array() > 0;
             const double count = static_cast<double>(contact.count());
-            if (load)
-                approach = contact.select(problem_.gap + load_.displacement, 0).sum() / count;
+            if (load) approach = contact.select(problem_.gap + load_.displacement, 0).sum() / count;
             gap_ = (problem_.gap + load_.displacement).array() - approach;
             residual = contact.select(gap_.abs(), -gap_).maxCoeff() / std::abs(approach);
-            if (!std::isfinite(residual))
-                break;
+            if (!std::isfinite(residual)) break;
             if (residual <= target) {
                 if (residual <= finest_residual || problem_.is_2d()) // as the active set does
                     return;
                 const double trusted = trusted_residual(problem_, approach, p, load_.displacement);
-                if (residual <= trusted)
-                    return;
+                if (residual <= trusted) return;
                 target = std::max(finest_residual, std::min(0.5 * target, trusted));
             }
             ++iterations_;
@@ -83,8 +76,7 @@ class PolonskyKeer {
             previous = squares;
             solver_.update(direction_);
             ArrayXd image = direction_.displacement.array();
-            if (load)
-                image -= contact.select(image, 0).sum() / count;
+            if (load) image -= contact.select(image, 0).sum() / count;
             const double curvature = contact.select(image * direction_.pressure.array(), 0).sum();
             // A single node keeps its load whatever the step; those that join it take theirs.
             const double step = curvature > 0 && !(load && count == 1)
@@ -94,8 +86,7 @@ class PolonskyKeer {
             const Eigen::Array<bool, Eigen::Dynamic, 1> overlap = p.array() == 0 && gap_ < 0;
             conjugate = !overlap.any();
             p = overlap.select(-step * gap_, p.array());
-            if (load)
-                p *= *load / p.sum();
+            if (load) p *= *load / p.sum();
         }
         expect_residual("Polonsky-Keer", problem_, {.residual = residual, .approach = approach}, target);
     }

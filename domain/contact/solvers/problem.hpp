@@ -17,8 +17,8 @@ struct ContactProblem : UnitBody {
     Eigen::VectorXd column;       ///< first column of H
     Eigen::VectorXd gap;          ///< g0_i = max Z - Z_i >= 0
     std::vector<double> approach; ///< displacements, increasing, the last one 1 (or all zero)
-    std::vector<double> load; ///< used instead under load control: sums of the nodes' pressures, increasing
-    double cap;               ///< p_H, infinite without a hardness
+    std::vector<double> load;     ///< used instead under load control: sums of the nodes' pressures, increasing
+    double cap;                   ///< p_H, infinite without a hardness
 
     double displacement_unit; ///< mm
     double pressure_unit;     ///< MPa per unit of a node's pressure
@@ -39,8 +39,8 @@ struct ContactProblem : UnitBody {
 /// Throws InputError for every reason to refuse a contact problem. Returns the completed body.
 Body checked_body(const Profile& profile, const Body& body, const std::vector<double>& displacements = {});
 /// Makes the problem of a surface and body that checked_body() accepts, and throws as it does.
-ContactProblem make_problem(const Profile& profile, const Body& body,
-                            const std::vector<double>& displacements, Team& team = Team::alone());
+ContactProblem make_problem(const Profile& profile, const Body& body, const std::vector<double>& displacements,
+                            Team& team = Team::alone());
 /// A problem under load control, to mean pressures in MPa; heights are in units of their range.
 ContactProblem make_problem_at(const Profile& profile, const Body& body, const std::vector<double>& pressures,
                                Team& team = Team::alone());

@@ -37,8 +37,7 @@ std::vector<std::pair<Index, Index>> runs_of(const std::vector<int>& nodes) {
     const Index count = static_cast<Index>(nodes.size());
     for (Index first = 0; first < count;) {
         Index last = first + 1;
-        while (last < count &&
-               nodes[static_cast<std::size_t>(last)] == nodes[static_cast<std::size_t>(last - 1)] + 1)
+        while (last < count && nodes[static_cast<std::size_t>(last)] == nodes[static_cast<std::size_t>(last - 1)] + 1)
             ++last;
         runs.emplace_back(first, last);
         first = last;
@@ -51,8 +50,7 @@ Eigen::VectorXd cumulative(const Eigen::VectorXd& column) {
     const Index n = column.size();
     Eigen::VectorXd sums(2 * n);
     double sum = sums[0] = 0;
-    for (Index k = 1; k < 2 * n; ++k)
-        sums[k] = sum += column[std::abs(k - n)];
+    for (Index k = 1; k < 2 * n; ++k) sums[k] = sum += column[std::abs(k - n)];
     return sums;
 }
 
@@ -91,8 +89,7 @@ class Deflation {
             const Part part = parts_[static_cast<std::size_t>(c)];
             energy.row(c) = image_.middleRows(part.begin, part.count).colwise().sum();
         }
-        if (columns > 0)
-            energy_.compute(energy);
+        if (columns > 0) energy_.compute(energy);
         usable_ = columns > 0 && energy_.info() == Eigen::Success;
     }
 
@@ -114,8 +111,7 @@ class Deflation {
 
     /// Removes from z the part that would bring W into the search.
     void purge(Eigen::VectorXd& z) const {
-        if (usable_)
-            subtract(energy_.solve(image_.transpose() * z), z);
+        if (usable_) subtract(energy_.solve(image_.transpose() * z), z);
     }
 
   private:
@@ -143,8 +139,7 @@ Eigen::VectorXd inverse_circulant(const ContactProblem& problem, Extent shape) {
     if (problem.kernel == Kernel::periodic) {
         eigenvalues = periodic_spectrum(problem, shape);
     } else {
-        const Eigen::VectorXd h =
-            extended_column(problem, problem.column, problem.shape, shape, *problem.team);
+        const Eigen::VectorXd h = extended_column(problem, problem.column, problem.shape, shape, *problem.team);
         Eigen::ArrayXXd column(shape.columns, shape.rows);
         // Blends h with its mirror image; the first entry has none.
         const auto blended = [](const auto& entry, Index j, Index m) {
@@ -161,8 +156,7 @@ Eigen::VectorXd inverse_circulant(const ContactProblem& problem, Extent shape) {
         eigenvalues = fourier_transform(column).real().reshaped();
     }
     // A datum near its limit, or none, leaves the mean without a usable stiffness.
-    if (eigenvalues.size() > 1)
-        eigenvalues[0] = std::max(eigenvalues[0], eigenvalues[1]);
+    if (eigenvalues.size() > 1) eigenvalues[0] = std::max(eigenvalues[0], eigenvalues[1]);
     return eigenvalues.cwiseInverse();
 }
 
@@ -173,8 +167,7 @@ Extent circulant_shape(const ContactProblem& problem) {
     const auto [columns, rows] = problem.shape;
     if (problem.kernel == Kernel::periodic && is_good_fourier_length(columns) && is_good_fourier_length(rows))
         return problem.shape;
-    if (rows == 1)
-        return {fast_fourier_length(columns)};
+    if (rows == 1) return {fast_fourier_length(columns)};
     const auto longer = [&](Index n) {
         return fast_fourier_length(problem.kernel == Kernel::periodic ? n : n + n / 8);
     };
@@ -185,21 +178,19 @@ Extent circulant_shape(const ContactProblem& problem) {
 double add(Team& team, double factor, const float* x, Eigen::VectorXd& y) {
     double* into = y.data();
     return team.largest(y.size(), [=](Index first, Index count) {
-        for (Index i = first; i < first + count; ++i)
-            into[i] += factor * static_cast<double>(x[i]);
+        for (Index i = first; i < first + count; ++i) into[i] += factor * static_cast<double>(x[i]);
         return static_cast<double>(Eigen::VectorXf::Map(x + first, count).cwiseAbs().maxCoeff());
     });
 }
 
 double dot(Team& team, const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
-    return team.sum(a.size(), [&](Index first, Index count) {
-        return a.segment(first, count).dot(b.segment(first, count));
-    });
+    return team.sum(a.size(),
+                    [&](Index first, Index count) { return a.segment(first, count).dot(b.segment(first, count)); });
 }
 
 double largest(Team& team, const Eigen::VectorXd& a) {
-    return team.largest(
-        a.size(), [&](Index first, Index count) { return a.segment(first, count).cwiseAbs().maxCoeff(); });
+    return team.largest(a.size(),
+                        [&](Index first, Index count) { return a.segment(first, count).cwiseAbs().maxCoeff(); });
 }
 
 } // namespace
@@ -210,18 +201,15 @@ void ContactSet::collect() {
 
 SetSolver::SetSolver(const ContactProblem& problem)
     : team_(*problem.team), shape_(problem.shape),
-      sums_(problem.is_2d() ? Eigen::VectorXd() : cumulative(problem.column)),
-      forward_(fourier_operator(problem)), single_(forward_), inverse_shape_(circulant_shape(problem)),
-      inverse_(SingleFourierOperator::circulant(inverse_shape_, inverse_circulant(problem, inverse_shape_),
-                                                team_)) {
-    if (problem.is_2d())
-        extension_.emplace(inverse_shape_, team_);
+      sums_(problem.is_2d() ? Eigen::VectorXd() : cumulative(problem.column)), forward_(fourier_operator(problem)),
+      single_(forward_), inverse_shape_(circulant_shape(problem)),
+      inverse_(SingleFourierOperator::circulant(inverse_shape_, inverse_circulant(problem, inverse_shape_), team_)) {
+    if (problem.is_2d()) extension_.emplace(inverse_shape_, team_);
 }
 
 void SetSolver::update(SurfaceState& x) {
     forward_.apply(x.pressure.data(), x.displacement.data());
-    if (x.updated.size() > 0)
-        team_.copy(x.pressure, x.updated);
+    if (x.updated.size() > 0) team_.copy(x.pressure, x.updated);
     x.displacement_error = 0;
     ++applies_;
 }
@@ -240,8 +228,7 @@ void SetSolver::update(SurfaceState& x, double accuracy) {
                     input[i] = static_cast<float>((x.pressure[i] - x.updated[i]) * inverse);
                 std::copy_n(x.pressure.data() + first, count, x.updated.data() + first);
             });
-            x.displacement_error +=
-                single_rounding * scale * add(team_, scale, single_.apply(), x.displacement);
+            x.displacement_error += single_rounding * scale * add(team_, scale, single_.apply(), x.displacement);
             ++applies_;
         }
         if (x.displacement_error <= accuracy) // false for NaN
@@ -256,45 +243,36 @@ std::vector<int> SetSolver::inverse_places(const std::vector<int>& nodes) const 
     const int columns = static_cast<int>(shape_.columns),
               longer = static_cast<int>(inverse_shape_.columns) - columns; // difference of the rows' lengths
     if (longer > 0)
-        for (int& place : places)
-            place += place / columns * longer;
+        for (int& place : places) place += place / columns * longer;
     return places;
 }
 
 template <typename Real>
-void SetSolver::multiply(BasicFourierOperator<Real>& matrix, const std::vector<int>& places,
-                         const Eigen::VectorXd& v, double scale, Eigen::VectorXd& image,
-                         Extension* extension) const {
+void SetSolver::multiply(BasicFourierOperator<Real>& matrix, const std::vector<int>& places, const Eigen::VectorXd& v,
+                         double scale, Eigen::VectorXd& image, Extension* extension) const {
     Real* full = matrix.input();
     const Index m = v.size();
     const double inverse = 1 / scale;
-    team_.each_range(matrix.nodes(),
-                     [=](Index first, Index count, int) { std::fill_n(full + first, count, Real(0)); });
-    team_.each(
-        m, [&](Index k) { full[places[static_cast<std::size_t>(k)]] = static_cast<Real>(v[k] * inverse); });
+    team_.each_range(matrix.nodes(), [=](Index first, Index count, int) { std::fill_n(full + first, count, Real(0)); });
+    team_.each(m, [&](Index k) { full[places[static_cast<std::size_t>(k)]] = static_cast<Real>(v[k] * inverse); });
     if constexpr (std::is_same_v<Real, float>)
-        if (extension)
-            extension->extend(full);
+        if (extension) extension->extend(full);
     const Real* product = matrix.apply();
     if constexpr (std::is_same_v<Real, float>)
-        if (extension)
-            extension->transpose(full);
-    team_.each(m, [&](Index k) {
-        image[k] = scale * static_cast<double>(product[places[static_cast<std::size_t>(k)]]);
-    });
+        if (extension) extension->transpose(full);
+    team_.each(m,
+               [&](Index k) { image[k] = scale * static_cast<double>(product[places[static_cast<std::size_t>(k)]]); });
 }
 
 bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)>& target, SurfaceState& x,
                         const Enough& enough, long limit, double* level, bool projected) {
     const auto& nodes = set.nodes();
     const Index m = static_cast<Index>(nodes.size());
-    if (m == 0)
-        return true;
+    if (m == 0) return true;
     const Deflation deflation(nodes, sums_);
     std::vector<int> inverse = inverse_places(nodes);
     Extension* const extension = is_2d() ? &*extension_ : nullptr;
-    if (extension)
-        extension->know(std::move(inverse));
+    if (extension) extension->know(std::move(inverse));
     const std::vector<int>& places = extension ? extension->known() : inverse;
     const auto each = [&](auto change) { team_.each(m, change); };
     Eigen::VectorXd r(m), z(m), q = Eigen::VectorXd::Zero(m), hq(m),
@@ -310,12 +288,10 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
     const double even_sum = even.sum();
     double offset = 0; // subtracted from r, which any constant may be
     const auto centre = [&] {
-        if (!level)
-            return;
+        if (!level) return;
         const auto most = [&](double sign) {
-            return sign * team_.largest(m, [&](Index first, Index count) {
-                return (sign * r.segment(first, count)).maxCoeff();
-            });
+            return sign * team_.largest(
+                              m, [&](Index first, Index count) { return (sign * r.segment(first, count)).maxCoeff(); });
         };
         const double middle = (most(1) + most(-1)) / 2;
         each([&](Index k) { r[k] -= middle; });
@@ -326,16 +302,14 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
     // Makes q the usual step along q, cut so that no pressure falls below 0. The nodes that are not cut make
     // up for it, so that the step sums nearly to zero. False, and q stays, if no pressure would fall below 0.
     const auto cut = [&] {
-        if (!(team_.largest_of(m, [&](Index k) { return -(pressure(k) + usual_step_ * q[k]); }) > 0))
-            return false;
+        if (!(team_.largest_of(m, [&](Index k) { return -(pressure(k) + usual_step_ * q[k]); }) > 0)) return false;
         const auto is_free = [&](Index k) { return q[k] > -pressure(k); };
         each([&](Index k) { q[k] = std::max(usual_step_ * q[k], -pressure(k)); });
         for (int round = 0; round < max_corrections; ++round) {
             const double excess =
                 sum([&](Index k) { return q[k]; }) / sum([&](Index k) { return is_free(k) ? even[k] : 0; });
             each([&](Index k) {
-                if (is_free(k))
-                    q[k] = std::max(q[k] - excess * even[k], -pressure(k));
+                if (is_free(k)) q[k] = std::max(q[k] - excess * even[k], -pressure(k));
             });
         }
         return true;
@@ -348,8 +322,7 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
             const Index i = nodes[static_cast<std::size_t>(k)];
             r[k] = target(i) - x.displacement[i];
         });
-        if (!is_2d())
-            x.pressure(nodes) += deflation.project(r);
+        if (!is_2d()) x.pressure(nodes) += deflation.project(r);
         offset = 0;
         centre();
         const double scale = largest(team_, r);
@@ -357,24 +330,20 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
         const bool progress = scale < 0.5 * before;
         if (!is_2d() && !progress && !exact && !(scale <= enough.residual)) {
             exact = true; // H on A is too badly conditioned for single precision
-            if (!(scale < before))
-                each([&](Index k) { pressure(k) = start[k]; });
+            if (!(scale < before)) each([&](Index k) { pressure(k) = start[k]; });
             before = std::numeric_limits<double>::infinity();
             update(x);
             continue;
         }
         before = scale;
-        if (!is_2d())
-            start = x.pressure(nodes);
+        if (!is_2d()) start = x.pressure(nodes);
         double rz = 1;
         for (bool first = true;; first = false, ++iteration) {
             const double residual = largest(team_, r);
             // On a few nodes the residual falls in one step below the resolution of single precision.
-            if (residual <= enough.residual && !first && enough.residual < single_rounding * scale)
-                break;
+            if (residual <= enough.residual && !first && enough.residual < single_rounding * scale) break;
             solved = residual <= enough.residual;
-            if (solved)
-                break;
+            if (solved) break;
             multiply(inverse_, places, r, scale > 0 ? scale : 1, z, extension);
             if (level) {
                 const double share = sum([&](Index k) { return z[k]; }) / even_sum;
@@ -382,8 +351,8 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
             }
             const double energy = dot(team_, r, z);
             solved = std::isfinite(energy) && enough.energy && enough.energy(energy);
-            if (solved || iteration >= limit || !progress || !(energy > 0) ||
-                residual <= single_depth * scale || (!exact && !is_2d() && residual > lost * scale))
+            if (solved || iteration >= limit || !progress || !(energy > 0) || residual <= single_depth * scale ||
+                (!exact && !is_2d() && residual > lost * scale))
                 break;
             deflation.purge(z);
             each([&, growth = first ? 0 : energy / rz](Index k) { q[k] = z[k] + growth * q[k]; });
@@ -392,13 +361,10 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
             exact ? multiply(forward_, nodes, q, scale, hq) : multiply(single_, nodes, q, scale, hq);
             ++applies_;
             const double curvature = dot(team_, q, hq);
-            if (!(curvature > 0))
-                break;
+            if (!(curvature > 0)) break;
             double step = (is_cut ? dot(team_, r, q) : rz) / curvature;
-            if (level && first)
-                usual_step_ = std::clamp(is_cut ? step * usual_step_ : step, shortest_step, 1.0);
-            if (is_cut && step > whole_step)
-                step = 1;
+            if (level && first) usual_step_ = std::clamp(is_cut ? step * usual_step_ : step, shortest_step, 1.0);
+            if (is_cut && step > whole_step) step = 1;
             if (is_2d() && !exact)
                 x.displacement_error += single_rounding * std::abs(step * scale) *
                                         add(team_, step * scale, single_.applied(), x.displacement);
@@ -407,8 +373,7 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
                 pressure(k) += step * q[k];
             });
             centre();
-            if (is_cut)
-                break;
+            if (is_cut) break;
         }
         const bool kept = x.updated.size() > 0;
         if (is_2d() || !kept)
@@ -416,23 +381,18 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
                 const Index i = nodes[static_cast<std::size_t>(k)];
                 x.displacement[i] = target(i) - r[k] - offset;
             });
-        if (level)
-            *level = offset;
-        if (is_2d() && kept)
-            team_.copy(x.pressure, x.updated);
+        if (level) *level = offset;
+        if (is_2d() && kept) team_.copy(x.pressure, x.updated);
         const bool ends = solved || is_cut || iteration >= limit || !progress;
-        if (!ends || (is_2d() && exact))
-            update(x);
-        if (ends)
-            return solved;
+        if (!ends || (is_2d() && exact)) update(x);
+        if (ends) return solved;
     }
 }
 
 void SetSolver::tangent(const ContactSet& set, double tolerance, bool each_entry, SurfaceState& w) {
     const Index n = w.pressure.size();
     team_.each(n, [&](Index i) {
-        if (!set.holds(i))
-            w.pressure[i] = 0;
+        if (!set.holds(i)) w.pressure[i] = 0;
     });
     if (w.pressure.isZero(0))
         w.displacement.setZero(), w.displacement_error = 0;
@@ -446,15 +406,13 @@ void SetSolver::tangent(const ContactSet& set, double tolerance, bool each_entry
     improve(
         set, [](Index) { return 1.0; }, w, each_entry ? Enough{0.1 * tolerance} : Enough{0, good},
         max_tangent_iterations);
-    if (tolerance < single_stiffness)
-        update(w);
+    if (tolerance < single_stiffness) update(w);
 }
 
-double missing_load(const ContactProblem& problem, double approach, const ContactSet& set,
-                    const SurfaceState& load, const SurfaceState& tangent) {
+double missing_load(const ContactProblem& problem, double approach, const ContactSet& set, const SurfaceState& load,
+                    const SurfaceState& tangent) {
     double missing = 0;
-    for (const int i : set.nodes())
-        missing += tangent.pressure[i] * (approach - problem.gap[i] - load.displacement[i]);
+    for (const int i : set.nodes()) missing += tangent.pressure[i] * (approach - problem.gap[i] - load.displacement[i]);
     return missing;
 }
 
@@ -463,10 +421,8 @@ StepSolution step_solution(const ContactSet& set, const SurfaceState& load, cons
     StepSolution step;
     step.nodes = set.nodes();
     step.pressure = load.pressure(step.nodes);
-    for (const int i : step.nodes)
-        step.stiffness += tangent.pressure[i] * (2 - tangent.displacement[i]);
-    if (with_tangent)
-        step.tangent = tangent.pressure(step.nodes);
+    for (const int i : step.nodes) step.stiffness += tangent.pressure[i] * (2 - tangent.displacement[i]);
+    if (with_tangent) step.tangent = tangent.pressure(step.nodes);
     return step;
 }
 

@@ -49,9 +49,8 @@ struct SurfaceState {
 
 /// Condition at which an improvement may end: the residual or, if given, a low enough energy.
 struct Enough {
-    double residual = 0; ///< largest |b - H x| on A
-    std::function<bool(double)> energy =
-        {}; ///< called with r' M^-1 r, the error's energy; M is the preconditioner
+    double residual = 0;                     ///< largest |b - H x| on A
+    std::function<bool(double)> energy = {}; ///< called with r' M^-1 r, the error's energy; M is the preconditioner
 };
 
 /// Conjugate gradients for H_AA x = b on a fixed contact set A, with H applied by FFT. The preconditioner is
@@ -90,9 +89,8 @@ class SetSolver {
     /// image = M v on the nodes only, which stand at `places` of M; `scale` is about the size of v. With an
     /// extension E, E'M E.
     template <typename Real>
-    void multiply(BasicFourierOperator<Real>& matrix, const std::vector<int>& places,
-                  const Eigen::VectorXd& v, double scale, Eigen::VectorXd& image,
-                  Extension* extension = nullptr) const;
+    void multiply(BasicFourierOperator<Real>& matrix, const std::vector<int>& places, const Eigen::VectorXd& v,
+                  double scale, Eigen::VectorXd& image, Extension* extension = nullptr) const;
     /// Places of nodes on the preconditioner's grid.
     std::vector<int> inverse_places(const std::vector<int>& nodes) const;
     bool is_2d() const { return sums_.size() == 0; }
@@ -110,8 +108,8 @@ class SetSolver {
 };
 
 /// Error of the load sum p that the remaining residual r on A causes: w'r.
-double missing_load(const ContactProblem& problem, double approach, const ContactSet& set,
-                    const SurfaceState& load, const SurfaceState& tangent);
+double missing_load(const ContactProblem& problem, double approach, const ContactSet& set, const SurfaceState& load,
+                    const SurfaceState& tangent);
 
 /// A step's solution from vectors over all nodes. K = 2 sum w - w'Hw: its error is the square of w's.
 StepSolution step_solution(const ContactSet& set, const SurfaceState& load, const SurfaceState& tangent,

@@ -57,8 +57,8 @@ void refuse_factor(Index nodes, const ContactOptions& options);
 struct ContactSolver {
     const char* name;                                                       ///< as flags and files have it
     void (*solve)(const ContactProblem&, const ContactOptions&, Solution&); ///< null: chooses a solver
-    bool capped;                           ///< can hold a hardness, by solve_capped()
-    bool direct;                           ///< solves by a factor, to rounding
+    bool capped;                                                            ///< can hold a hardness, by solve_capped()
+    bool direct;                                                            ///< solves by a factor, to rounding
     enum { never, on_maps, always } loads; ///< when it takes loads instead of displacements
 };
 
@@ -71,9 +71,7 @@ inline constexpr ContactSolver contact_solvers[] = {
     {"active-set", solve_active_set, true, false, ContactSolver::on_maps},
 };
 /// The row of a solver.
-inline const ContactSolver& row_of(Solver solver) {
-    return contact_solvers[static_cast<std::size_t>(solver)];
-}
+inline const ContactSolver& row_of(Solver solver) { return contact_solvers[static_cast<std::size_t>(solver)]; }
 
 /// Up to this many nodes the factor always wins.
 constexpr Index always_nested = 768;

@@ -22,10 +22,8 @@ Array unif(Index n, long seed) {
     long state = std::max(1L, std::labs(seed));
     const auto step = [&] { return state = 16807 * state % modulus; };
     std::array<long, 32> table{};
-    for (int i = 0; i < 8; ++i)
-        step();
-    for (std::size_t i = table.size(); i-- > 0;)
-        table[i] = step();
+    for (int i = 0; i < 8; ++i) step();
+    for (std::size_t i = table.size(); i-- > 0;) table[i] = step();
     Array numbers(n);
     long out = table[0];
     for (double& number : numbers) {
@@ -51,8 +49,7 @@ Eigen::MatrixXd rotation(int dimension, long seed) {
     const Array drawn = gauss(dimension * dimension, seed);
     Eigen::MatrixXd columns = drawn.matrix().reshaped(dimension, dimension);
     for (int i = 0; i < dimension; ++i) {
-        for (int j = 0; j < i; ++j)
-            columns.col(i) -= columns.col(i).dot(columns.col(j)) * columns.col(j);
+        for (int j = 0; j < i; ++j) columns.col(i) -= columns.col(i).dot(columns.col(j)) * columns.col(j);
         columns.col(i).normalize();
     }
     return columns;
@@ -82,8 +79,7 @@ double rounded(double x) { return std::floor(x + 0.5); }
 
 /// T_osz: bumps on a logarithmic scale that leave sign and order.
 double oscillating(double x) {
-    if (x == 0)
-        return 0;
+    if (x == 0) return 0;
     const double l = std::log(std::abs(x)) / 0.1;
     const double waves = x > 0 ? std::sin(l) + std::sin(0.79 * l) : std::sin(0.55 * l) + std::sin(0.31 * l);
     return std::copysign(std::exp(0.1 * (l + 0.49 * waves)), x);
@@ -96,8 +92,7 @@ Array oscillating(const Array& x) {
 Array asymmetric(double beta, const Array& ramp, const Array& x) {
     Array y = x;
     for (Index i = 0; i < y.size(); ++i)
-        if (y[i] > 0)
-            y[i] = std::pow(y[i], 1 + beta * ramp[i] * std::sqrt(y[i]));
+        if (y[i] > 0) y[i] = std::pow(y[i], 1 + beta * ramp[i] * std::sqrt(y[i]));
     return y;
 }
 
@@ -174,22 +169,17 @@ Bbob::Bbob(int function, int dimension, int instance)
 
     const double stretch = std::max(1.0, std::sqrt(dimension) / 8);
     if (function == 4)
-        for (Index i = 0; i < dimension; i += 2)
-            shift_[i] = std::abs(shift_[i]);
-    if (function == 8)
-        shift_ *= 0.75;
+        for (Index i = 0; i < dimension; i += 2) shift_[i] = std::abs(shift_[i]);
+    if (function == 8) shift_ *= 0.75;
     Array best = shift_;
-    if (function == 5)
-        best = shift_ = shift_.unaryExpr([](double xi) { return xi > 0 ? 5.0 : -5.0; });
+    if (function == 5) best = shift_ = shift_.unaryExpr([](double xi) { return xi > 0 ? 5.0 : -5.0; });
     if (function == 9 || function == 19) {
         second_ *= stretch;
-        best =
-            (second_.transpose() * Eigen::VectorXd::Constant(dimension, 0.5 / (stretch * stretch))).array();
+        best = (second_.transpose() * Eigen::VectorXd::Constant(dimension, 0.5 / (stretch * stretch))).array();
     }
     if (function == 20 || function == 24) {
         const Array drawn = function == 20 ? unif(dimension, seed) : gauss(dimension, seed);
-        const double middle = function == 20 ? 0.5 : 0,
-                     distance = function == 20 ? 4.2096874637 / 2 : 2.5 / 2;
+        const double middle = function == 20 ? 0.5 : 0, distance = function == 20 ? 4.2096874637 / 2 : 2.5 / 2;
         shift_ = drawn.unaryExpr([&](double number) { return number < middle ? -1.0 : 1.0; });
         best = distance * shift_;
     }
@@ -210,15 +200,13 @@ void Bbob::draw_peaks(long seed) {
     widths_.resize(dimension_, count);
     for (Index k = 0; k < count; ++k) {
         heights_[k] = k == 0 ? 10 : 1.1 + 8 * static_cast<double>(k - 1) / below;
-        const double condition = k > 0 ? std::pow(1000, levels[static_cast<std::size_t>(k - 1)] / below)
+        const double condition = k > 0             ? std::pow(1000, levels[static_cast<std::size_t>(k - 1)] / below)
                                  : function_ == 21 ? std::sqrt(1000)
                                                    : 1000;
         const std::vector<double> order = order_of(unif(dimension_, seed + 1000 * k));
-        std::ranges::transform(order, widths_.col(k).begin(), [&](double place) {
-            return std::pow(condition, place / (dimension_ - 1) - 0.5);
-        });
-        const Array place =
-            (k == 0 ? 0.8 : 1) * (width * places.segment(k * dimension_, dimension_) - width / 2);
+        std::ranges::transform(order, widths_.col(k).begin(),
+                               [&](double place) { return std::pow(condition, place / (dimension_ - 1) - 0.5); });
+        const Array place = (k == 0 ? 0.8 : 1) * (width * places.segment(k * dimension_, dimension_) - width / 2);
         peaks_.col(k) = (second_ * place.matrix()).array();
     }
 }
@@ -246,9 +234,8 @@ double Bbob::above(const Array& x) const {
         return (scales(100) * (5 - (x * shift_ / 5).min(5))).sum();
     case 6:
         z = (combined_ * moved.matrix()).array();
-        return std::pow(
-            oscillating((z * (z * shift_ > 0).select(Array::Constant(z.size(), 100), 1)).square().sum()),
-            0.9);
+        return std::pow(oscillating((z * (z * shift_ > 0).select(Array::Constant(z.size(), 100), 1)).square().sum()),
+                        0.9);
     case 7:
         return step_ellipsoid(x);
     case 8:
@@ -272,8 +259,7 @@ double Bbob::above(const Array& x) const {
     case 15:
         return rastrigin((combined_ * asymmetric(0.2, ramp_, oscillating(turned(moved))).matrix()).array());
     case 16:
-        return weierstrass((combined_ * oscillating(turned(moved)).matrix()).array()) +
-               10.0 / dimension_ * penalty(x);
+        return weierstrass((combined_ * oscillating(turned(moved)).matrix()).array()) + 10.0 / dimension_ * penalty(x);
     case 17:
     case 18:
         return schaffers(scales(function_ == 17 ? 10 : 1000) *
@@ -296,8 +282,7 @@ double Bbob::above(const Array& x) const {
 double Bbob::step_ellipsoid(const Array& x) const {
     Array z = scales(10) * (second_ * (x - shift_).matrix()).array();
     const double first = std::abs(z[0]);
-    for (double& zi : z)
-        zi = std::abs(zi) > 0.5 ? rounded(zi) : rounded(10 * zi) / 10;
+    for (double& zi : z) zi = std::abs(zi) > 0.5 ? rounded(zi) : rounded(10 * zi) / 10;
     z = turned(z);
     return 0.1 * std::max(first / 1e4, (Eigen::pow(100, ramp_) * z.square()).sum()) + penalty(x);
 }
@@ -308,8 +293,7 @@ double Bbob::schwefel(const Array& x) const {
     Array z = hat;
     z.tail(dimension_ - 1) += 0.25 * (hat.head(dimension_ - 1) - best);
     z = 100 * (scales(10) * (z - best) + best);
-    return 0.01 *
-           ((z.abs() - 500).max(0).square().sum() + 418.9828872724339 - (z * z.abs().sqrt().sin()).mean());
+    return 0.01 * ((z.abs() - 500).max(0).square().sum() + 418.9828872724339 - (z * z.abs().sqrt().sin()).mean());
 }
 
 double Bbob::gallagher(const Array& x) const {
@@ -322,8 +306,7 @@ double Bbob::gallagher(const Array& x) const {
 
 double Bbob::lunacek(const Array& x) const {
     constexpr double mu0 = 2.5, depth = 1;
-    const double s = 1 - 0.5 / (std::sqrt(dimension_ + 20.0) - 4.1),
-                 mu1 = -std::sqrt((mu0 * mu0 - depth) / s);
+    const double s = 1 - 0.5 / (std::sqrt(dimension_ + 20.0) - 4.1), mu1 = -std::sqrt((mu0 * mu0 - depth) / s);
     const Array hat = 2 * shift_ * x;
     const Array z = turned(scales(100) * (second_ * (hat - mu0).matrix()).array());
     return std::min((hat - mu0).square().sum(), depth * dimension_ + s * (hat - mu1).square().sum()) +

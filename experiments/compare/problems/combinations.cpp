@@ -58,8 +58,7 @@ BitsInstance knapsack_instance(std::size_t things, std::uint64_t seed) {
 std::vector<Town> scattered_towns(std::size_t count, std::uint64_t seed) {
     ga::Stream stream(seed);
     std::vector<Town> towns(count);
-    for (Town& town : towns)
-        town = {stream.uniform(), stream.uniform()};
+    for (Town& town : towns) town = {stream.uniform(), stream.uniform()};
     return towns;
 }
 
@@ -75,16 +74,14 @@ std::vector<Town> towns_on_circle(std::size_t count, std::uint64_t seed) {
 
 double tour_length(const std::vector<Town>& towns, const std::vector<std::uint32_t>& order) {
     double length = distance(towns[order.back()], towns[order.front()]);
-    for (std::size_t i = 1; i < order.size(); ++i)
-        length += distance(towns[order[i - 1]], towns[order[i]]);
+    for (std::size_t i = 1; i < order.size(); ++i) length += distance(towns[order[i - 1]], towns[order[i]]);
     return length;
 }
 
 double shortest_tour(const std::vector<Town>& towns) {
     const std::size_t others = towns.size() - 1; // the last town begins and ends
     std::vector<std::vector<double>> paths(std::size_t{1} << others, std::vector<double>(others, HUGE_VAL));
-    for (std::size_t i = 0; i < others; ++i)
-        paths[std::size_t{1} << i][i] = distance(towns[others], towns[i]);
+    for (std::size_t i = 0; i < others; ++i) paths[std::size_t{1} << i][i] = distance(towns[others], towns[i]);
     for (std::size_t seen = 1; seen < paths.size(); ++seen) // paths[seen][i]: shortest through `seen` to i
         for (std::size_t i = 0; i < others; ++i)
             if (std::isfinite(paths[seen][i]))
@@ -158,15 +155,12 @@ TourInstance job_shop_instance() {
     instance.best = instance.scale = 930;
     instance.evaluate = [](const ga::Permutation& priorities) {
         std::array<std::size_t, jobs * machines> urgency{};
-        for (std::size_t i = 0; i < priorities.size(); ++i)
-            urgency[priorities.order[i]] = i;
+        for (std::size_t i = 0; i < priorities.size(); ++i) urgency[priorities.order[i]] = i;
         std::array<std::size_t, jobs> next{};
         std::array<int, jobs> ready{};    // when a job's previous step ends
         std::array<int, machines> free{}; // when a machine's previous step ends
         for (std::size_t step = 0; step < jobs * machines; ++step) {
-            const auto machine_of = [&](std::size_t j) {
-                return static_cast<std::size_t>(steps[j][next[j]][0]);
-            };
+            const auto machine_of = [&](std::size_t j) { return static_cast<std::size_t>(steps[j][next[j]][0]); };
             const auto begin_of = [&](std::size_t j) { return std::max(ready[j], free[machine_of(j)]); };
             std::size_t first = jobs; // the job whose step can end first
             int end = 0;

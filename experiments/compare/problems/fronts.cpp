@@ -22,8 +22,7 @@ struct FrontProblem {
 
 double sum_from(std::size_t first, const Reals& x, double (*term)(double)) {
     double sum = 0;
-    for (std::size_t i = first; i < x.size(); ++i)
-        sum += term(x[i]);
+    for (std::size_t i = first; i < x.size(); ++i) sum += term(x[i]);
     return sum;
 }
 double linear_g(const Reals& x) {
@@ -49,24 +48,21 @@ Evaluation zdt6(const Reals& x) {
 }
 
 Evaluation dtlz1(const Reals& x) {
-    const double g = sum_from(
-        2, x, [](double xi) { return 100 * (1 + (xi - 0.5) * (xi - 0.5) - std::cos(20 * pi * (xi - 0.5))); });
+    const double g =
+        sum_from(2, x, [](double xi) { return 100 * (1 + (xi - 0.5) * (xi - 0.5) - std::cos(20 * pi * (xi - 0.5))); });
     const double size = 0.5 * (1 + g);
     return {{size * x[0] * x[1], size * x[0] * (1 - x[1]), size * (1 - x[0])}};
 }
 Evaluation dtlz2(const Reals& x) {
     const double g = sum_from(2, x, [](double xi) { return (xi - 0.5) * (xi - 0.5); });
     const double a = x[0] * pi / 2, b = x[1] * pi / 2;
-    return {
-        {(1 + g) * std::cos(a) * std::cos(b), (1 + g) * std::cos(a) * std::sin(b), (1 + g) * std::sin(a)}};
+    return {{(1 + g) * std::cos(a) * std::cos(b), (1 + g) * std::cos(a) * std::sin(b), (1 + g) * std::sin(a)}};
 }
 Evaluation dtlz7(const Reals& x) {
     double g = 1;
-    for (std::size_t i = 2; i < x.size(); ++i)
-        g += 9 * x[i] / static_cast<double>(x.size() - 2);
+    for (std::size_t i = 2; i < x.size(); ++i) g += 9 * x[i] / static_cast<double>(x.size() - 2);
     double h = 3;
-    for (const double f : {x[0], x[1]})
-        h -= f / (1 + g) * (1 + std::sin(3 * pi * f));
+    for (const double f : {x[0], x[1]}) h -= f / (1 + g) * (1 + std::sin(3 * pi * f));
     return {{x[0], x[1], (1 + g) * h}};
 }
 
@@ -77,8 +73,7 @@ constexpr std::size_t across = 31; // divisions of an edge of a surface: 528 poi
 Points undominated(const Points& points) {
     Points kept;
     for (const ga::Point& a : points)
-        if (std::ranges::none_of(points, [&](const ga::Point& b) { return ga::dominates(a, b); }))
-            kept.push_back(a);
+        if (std::ranges::none_of(points, [&](const ga::Point& b) { return ga::dominates(a, b); })) kept.push_back(a);
     return kept;
 }
 Points curve(double (*f2)(double, double), double from = 0) {
@@ -94,8 +89,7 @@ Points shares(double (*size)(const ga::Point&)) {
     Points points = ga::reference_directions(3, across, 0);
     for (ga::Point& point : points) {
         const double divisor = size(point);
-        for (double& f : point)
-            f /= divisor;
+        for (double& f : point) f /= divisor;
     }
     return points;
 }
@@ -108,8 +102,7 @@ Points sphere() {
 Points four_pieces() {
     Points points;
     for (int i = 0; i < 50; ++i)
-        for (int j = 0; j < 50; ++j)
-            points.push_back(dtlz7({i / 49.0, j / 49.0, 0}).objectives);
+        for (int j = 0; j < 50; ++j) points.push_back(dtlz7({i / 49.0, j / 49.0, 0}).objectives);
     return undominated(points);
 }
 
@@ -138,8 +131,7 @@ RealInstance front_instance(const std::string& name) {
     instance.genes = problem.genes;
     instance.objectives = problem.objectives;
     for (std::size_t i = 0; i < problem.genes; ++i)
-        instance.box.push_back(
-            {i, i > 0 ? -problem.reach : 0, i > 0 && problem.reach > 0 ? problem.reach : 1});
+        instance.box.push_back({i, i > 0 ? -problem.reach : 0, i > 0 && problem.reach > 0 ? problem.reach : 1});
     instance.front = std::make_shared<const Points>(problem.front());
     return instance;
 }

@@ -15,8 +15,7 @@ namespace rough {
 
 /// The linker sends every call of solve_contact() from another file to the second function
 /// (tests/CMakeLists.txt).
-#define SOLVE_CONTACT                                                                                        \
-    "_ZN5rough13solve_contactERKNS_7ProfileERKNS_4BodyERKSt6vectorIdSaIdEERKNS_14ContactOptionsE"
+#define SOLVE_CONTACT "_ZN5rough13solve_contactERKNS_7ProfileERKNS_4BodyERKSt6vectorIdSaIdEERKNS_14ContactOptionsE"
 ContactCurve solve_uncounted(const Profile&, const Body&, const std::vector<double>&,
                              const ContactOptions&) asm("__real_" SOLVE_CONTACT);
 ContactCurve solve_counted(const Profile&, const Body&, const std::vector<double>&,
@@ -52,14 +51,11 @@ DesignSetup setup_for(bool is_map, const std::string& variant, bool free_amplitu
     DesignSetup setup = testing::drawn(is_map ? 16 : 48, is_map);
     setup.model.loading.steps = 5;
     setup.errors.noise = setup.errors.tilt = 1e-7;
-    if (variant == "like")
-        setup.measured = sample(shaped_start(setup, ga::Stream(7)), setup.model.grid);
+    if (variant == "like") setup.measured = sample(shaped_start(setup, ga::Stream(7)), setup.model.grid);
     if (variant == "mcco" || variant == "nsga2")
-        setup.targets.push_back(target_at(Quantity::area_at_pressure, "second",
-                                          PointPlacement{}.up_to(testing::p_max),
+        setup.targets.push_back(target_at(Quantity::area_at_pressure, "second", PointPlacement{}.up_to(testing::p_max),
                                           [](double p) { return 0.3 * p / testing::p_max; }));
-    if (free_amplitude)
-        setup.max_pressure.reset();
+    if (free_amplitude) setup.max_pressure.reset();
     unit = setup.model;
     return setup;
 }
@@ -93,8 +89,7 @@ TEST_CASE("the price of each variant is that of the curves that were solved") {
         for (const bool is_map : {false, true})
             for (const int threads : {1, 3}) {
                 // On a map each kind of stage once, because its starts take seconds.
-                if (is_map &&
-                    (threads == 1 || !std::set<std::string>{"maps", "made", "cco"}.contains(variant)))
+                if (is_map && (threads == 1 || !std::set<std::string>{"maps", "made", "cco"}.contains(variant)))
                     continue;
                 DYNAMIC_SECTION(variant << (is_map ? ", map, " : ", line, ") << threads) {
                     const Paid paid = run_of(variant, setup_for(is_map, variant, false),
@@ -137,8 +132,7 @@ TEST_CASE("a search that is stopped and resumed pays once for each curve") {
         CHECK(resumed.reported == whole.reported);
         // A block on another grid restarts, because its evaluations are not stored.
         CHECK(before + resumed.solved >= resumed.reported * (1 - 1e-9));
-        if (variant != std::string("maps"))
-            CHECK(before + resumed.solved <= resumed.reported * (1 + 1e-9));
+        if (variant != std::string("maps")) CHECK(before + resumed.solved <= resumed.reported * (1 + 1e-9));
     }
 }
 

@@ -14,8 +14,7 @@ namespace {
 
 /// Whether these tests cannot run here; prints the reason.
 bool has_no_mpi() {
-    if (*RUGOSA_MPIRUN && fs::exists(RUGOSA_MPIRUN))
-        return false;
+    if (*RUGOSA_MPIRUN && fs::exists(RUGOSA_MPIRUN)) return false;
     WARN("skipped: no mpirun, or a build without MPI");
     return true;
 }
@@ -30,8 +29,7 @@ Ended under_mpirun(const std::string& ranks, const std::string& words, const fs:
 
 /// One rank runs without mpirun.
 Ended on_ranks(int ranks, const std::string& words, const fs::path& where) {
-    return ranks == 1 ? app::testing::rugosa(words, where)
-                      : under_mpirun(std::to_string(ranks), words, where);
+    return ranks == 1 ? app::testing::rugosa(words, where) : under_mpirun(std::to_string(ranks), words, where);
 }
 
 /// The lines of the program on stderr, without those of mpirun.
@@ -43,13 +41,11 @@ const std::string design =
     "score | refine lm 6 | elite 1 } | best 2 | score verified' --out o";
 
 /// A design that is long enough to be stopped.
-const std::string longer =
-    std::string(design).replace(design.find("repeat 3"), 8, "repeat 60") + " --threads 1";
+const std::string longer = std::string(design).replace(design.find("repeat 3"), 8, "repeat 60") + " --threads 1";
 
 /// The process of a rank, after it has begun.
 pid_t process_of(const std::string& rank, const fs::path& where) {
-    for (const ga::Stopwatch clock; clock.seconds() < 60;
-         std::this_thread::sleep_for(std::chrono::milliseconds(20)))
+    for (const ga::Stopwatch clock; clock.seconds() < 60; std::this_thread::sleep_for(std::chrono::milliseconds(20)))
         for (const auto& entry : fs::directory_iterator("/proc")) {
             std::error_code none;
             if (entry.path().filename().string().find_first_not_of("0123456789") != std::string::npos ||
@@ -80,8 +76,7 @@ Ended signalled(const std::string& words, const fs::path& where, const std::stri
 } // namespace
 
 TEST_CASE("a run has the same bits on 1, 2 and 3 ranks", "[ranks]") {
-    if (has_no_mpi())
-        return;
+    if (has_no_mpi()) return;
     struct Case {
         const char* name;
         std::string words;
@@ -91,24 +86,21 @@ TEST_CASE("a run has the same bits on 1, 2 and 3 ranks", "[ranks]") {
     const Case cases[] = {
         {"design", design, of_run},
         {"run",
-         "run '" RUGOSA_SOURCE
-         "/experiments/paper/paper.ini' --pictures off --nodes 64 --set database.pairs=3 "
+         "run '" RUGOSA_SOURCE "/experiments/paper/paper.ini' --pictures off --nodes 64 --set database.pairs=3 "
          "--set paper.sweep-points=0 --out o",
          of_run},
-        {"compare", "compare --problems bbob5-1,zdt1,knapsack50,tsp14 --budget 200 --seeds 2 --out o",
-         of_run},
+        {"compare", "compare --problems bbob5-1,zdt1,knapsack50,tsp14 --budget 200 --seeds 2 --out o", of_run},
         {"database build", "database build g.db --genomes 333 --batch 10 --nodes 64", of_database},
         {"optimise",
          "optimise --genes real:3:-5:5 --evaluate \"'" + fs::path(RUGOSA_PROGRAM).parent_path().string() +
              "/tests/evaluate' sphere\" --minimise --evaluations 200 --out o",
          of_run, false}};
-    for (const Case& one : cases)
-        DYNAMIC_SECTION(one.name) {
+    for (const Case& one : cases) DYNAMIC_SECTION(one.name) {
             json alone;
             for (const int ranks : {1, 2, 3}) {
                 const Folder folder;
-                const Ended ended = on_ranks(
-                    ranks, one.words + " --verbose --threads " + (ranks == 2 ? "2" : "1"), folder.path());
+                const Ended ended =
+                    on_ranks(ranks, one.words + " --verbose --threads " + (ranks == 2 ? "2" : "1"), folder.path());
                 INFO(ranks << " ranks: " << ended.err);
                 REQUIRE((ended.code == 0 || ended.code == 3));
                 for (const std::string& count : found(ended.out, "rank [0-9]+: ([0-9]+) tasks"))
@@ -122,12 +114,10 @@ TEST_CASE("a run has the same bits on 1, 2 and 3 ranks", "[ranks]") {
 }
 
 TEST_CASE("a stopped design resumes on any number of ranks to the same result", "[ranks]") {
-    if (has_no_mpi())
-        return;
+    if (has_no_mpi()) return;
     const Folder whole;
     REQUIRE(on_ranks(1, longer, whole.path()).code == 3);
-    for (const auto& [rank, signal, resumed_on] :
-         {std::tuple("0", SIGTERM, 1), {"2", SIGKILL, 2}, {"0", SIGKILL, 1}}) {
+    for (const auto& [rank, signal, resumed_on] : {std::tuple("0", SIGTERM, 1), {"2", SIGKILL, 2}, {"0", SIGKILL, 1}}) {
         INFO("rank " << rank << ", signal " << signal);
         const Folder folder;
         const Ended ended = signalled(longer, folder.path(), rank, signal, "o/checkpoint.cbor");
@@ -146,8 +136,7 @@ TEST_CASE("a stopped design resumes on any number of ranks to the same result", 
 }
 
 TEST_CASE("a database whose build lost a rank continues on another number of ranks", "[ranks]") {
-    if (has_no_mpi())
-        return;
+    if (has_no_mpi()) return;
     const Folder folder, whole;
     const std::string words = "database build g.db --genomes 2000 --batch 20 --threads 1";
     REQUIRE(on_ranks(1, words, whole.path()).code == 0);
@@ -157,21 +146,18 @@ TEST_CASE("a database whose build lost a rank continues on another number of ran
 }
 
 TEST_CASE("ranks that compute with other vectors are refused in one line", "[ranks]") {
-    if (has_no_mpi() || !rough::vector_loops("avx2"))
-        return;
+    if (has_no_mpi() || !rough::vector_loops("avx2")) return;
     const Folder folder;
-    const Ended ended =
-        under_mpirun("2 sh -c '[ $OMPI_COMM_WORLD_RANK = 1 ] && export RUGOSA_VECTORS=avx2 || "
-                     "export RUGOSA_VECTORS=baseline; exec \"$0\" \"$@\"'",
-                     "operators", folder.path());
+    const Ended ended = under_mpirun("2 sh -c '[ $OMPI_COMM_WORLD_RANK = 1 ] && export RUGOSA_VECTORS=avx2 || "
+                                     "export RUGOSA_VECTORS=baseline; exec \"$0\" \"$@\"'",
+                                     "operators", folder.path());
     CHECK(ended.code == 2);
     REQUIRE(program_lines(ended).size() == 1);
     CHECK_THAT(program_lines(ended)[0], Catch::Contains("rank 1: ") && Catch::Contains("avx2"));
 }
 
 TEST_CASE("only rank 0 prints and refuses", "[ranks]") {
-    if (has_no_mpi())
-        return;
+    if (has_no_mpi()) return;
     const Folder folder;
     const Ended version = on_ranks(3, "--version", folder.path());
     CHECK(version.code == 0);
@@ -183,24 +169,21 @@ TEST_CASE("only rank 0 prints and refuses", "[ranks]") {
 
 TEST_CASE("one of two ranks takes texts, then refuses them for numbers", "[.][a-rank]") {
     namespace cluster = app::cluster;
-    if (cluster::join(
-            {{"echo", [](const json&) { return cluster::Work([](const json& task) { return task; }); }}}))
+    if (cluster::join({{"echo", [](const json&) { return cluster::Work([](const json& task) { return task; }); }}}))
         return cluster::leave(0);
     cluster::Job job{"echo", {}, 1, 40, {}, {}};
     job.task = [](std::size_t i) -> std::optional<json> { return std::to_string(i); };
     std::vector<std::string> taken(job.count);
     job.take = [&](std::size_t i, const json& answer) { taken[i] = answer.get<std::string>(); };
     cluster::hand_out(job);
-    for (std::size_t i = 0; i < job.count; ++i)
-        CHECK(taken[i] == std::to_string(i));
+    for (std::size_t i = 0; i < job.count; ++i) CHECK(taken[i] == std::to_string(i));
     job.take = [](std::size_t, const json& answer) { static_cast<void>(answer.get<double>()); };
     CHECK_THROWS_WITH(cluster::hand_out(job), Catch::Contains("a message has another form"));
     cluster::leave(0);
 }
 
 TEST_CASE("two ranks together solve the curves whose price is reported", "[ranks]") {
-    if (has_no_mpi())
-        return;
+    if (has_no_mpi()) return;
     const Folder folder;
     const std::string self = fs::read_symlink("/proc/self/exe").string();
     REQUIRE(std::system(("cd '" + folder.path().string() + "' && " + mpirun + "2 '" + self +
@@ -220,8 +203,7 @@ TEST_CASE("two ranks together solve the curves whose price is reported", "[ranks
 }
 
 TEST_CASE("an answer of another form ends a job on several ranks with the reason", "[ranks]") {
-    if (has_no_mpi())
-        return;
+    if (has_no_mpi()) return;
     const std::string self = fs::read_symlink("/proc/self/exe").string();
     CHECK(std::system((mpirun + "2 '" + self + "' '[a-rank]' >/dev/null 2>&1").c_str()) == 0);
 }

@@ -10,8 +10,7 @@ TEST_CASE("layers of the body's modulus leave the curve, a thin one on a rigid b
     folder.write("g.json", one_wave);
     const auto pressed = [&](const std::string& flags) {
         done(folder,
-             "contact --genome g.json --out c.csv --force --kernel periodic --modulus 7 --poisson 0.3 " +
-                 flags);
+             "contact --genome g.json --out c.csv --force --kernel periodic --modulus 7 --poisson 0.3 " + flags);
         return rows_of(folder / "c.csv");
     };
     const auto plain = pressed(""), same = pressed("--layer 0.1 --layer 0.2:7:0.3"),
@@ -27,8 +26,7 @@ TEST_CASE("a hardness caps pressures and is reported, and friction adds a table 
     const Folder folder;
     folder.write("g.json", one_wave);
     const Ended rubbed = done(folder, "contact --genome g.json --friction 0.3 --out c.csv --verbose");
-    CHECK_THAT(rubbed.out,
-               Catch::Contains("c-slip.csv: partial slip under the last load, f = 0.300; assumed"));
+    CHECK_THAT(rubbed.out, Catch::Contains("c-slip.csv: partial slip under the last load, f = 0.300; assumed"));
     const auto normal = rows_of(folder / "c.csv"),
                slip = rows_of(folder / "c-slip.csv", "tangential_displacement_mm,tangential_traction_MPa,"
                                                      "tangential_stiffness_MPa_per_mm,stick_fraction");
@@ -47,12 +45,11 @@ TEST_CASE("a hardness caps pressures and is reported, and friction adds a table 
 TEST_CASE("the page of a curve shows pressure and gap, links to the files and is not replaced") {
     const Folder folder;
     folder.write("one wave.json", one_wave);
-    const Ended ended =
-        done(folder, "contact --genome 'one wave.json' --nodes 128 --pressures 0.1,0.2 --friction 0.3 "
-                     "--out 'a curve.csv' --report page.html");
+    const Ended ended = done(folder, "contact --genome 'one wave.json' --nodes 128 --pressures 0.1,0.2 --friction 0.3 "
+                                     "--out 'a curve.csv' --report page.html");
     const std::string page = rough::read_whole(folder / "page.html");
-    for (const char* part : {"href=\"a%20curve.csv\"", "href=\"a%20curve.json\"",
-                             "href=\"a%20curve-slip.csv\"", "no --modulus or --material given"})
+    for (const char* part : {"href=\"a%20curve.csv\"", "href=\"a%20curve.json\"", "href=\"a%20curve-slip.csv\"",
+                             "no --modulus or --material given"})
         CHECK_THAT(page, Catch::Contains(part));
     done(folder, "report 'a curve.json' --out again.html");
     check_refused(rugosa("report 'a curve.json' --out again.html", folder.path()), "set --force");
@@ -64,8 +61,7 @@ TEST_CASE("the page of a curve shows pressure and gap, links to the files and is
     std::filesystem::remove(folder / "b.json");
     check_refused(rugosa("contact --genome 'one wave.json' --out b.csv --report page.html", folder.path()),
                   "page.html");
-    check_refused(rugosa("contact --genome 'one wave.json' --out b.csv --report no/page.html", folder.path()),
-                  "no");
+    check_refused(rugosa("contact --genome 'one wave.json' --out b.csv --report no/page.html", folder.path()), "no");
     CHECK_FALSE(std::filesystem::exists(folder / "b.csv"));
 }
 
@@ -95,14 +91,11 @@ TEST_CASE("contact keeps to its accuracy and reports what was modelled") {
 TEST_CASE("the curve of a scan has a band, that of a genome has none") {
     const Folder folder;
     folder.write("g.json", one_wave);
-    const auto height = [](int i) {
-        return std::cos(0.7 * i) + 0.5 * std::cos(0.11 * i) + 0.3 * std::sin(1.9 * i);
-    };
+    const auto height = [](int i) { return std::cos(0.7 * i) + 0.5 * std::cos(0.11 * i) + 0.3 * std::sin(1.9 * i); };
     folder.write("scan.txt", heights_text(300, height));
     const std::string press = "contact --profile scan.txt --unit um --spacing 1 --force --out c.csv ";
-    const std::string header = curve_header +
-                               ",contact_fraction_low,contact_fraction_high,"
-                               "tangent_stiffness_low_MPa_per_mm,tangent_stiffness_high_MPa_per_mm";
+    const std::string header = curve_header + ",contact_fraction_low,contact_fraction_high,"
+                                              "tangent_stiffness_low_MPa_per_mm,tangent_stiffness_high_MPa_per_mm";
     done(folder, press + "--to-pressure 0.001 --report page.html");
     for (const auto& row : rows_of(folder / "c.csv", header)) {
         CHECK((row[6] <= row[2] && row[2] <= row[7]));
@@ -112,8 +105,7 @@ TEST_CASE("the curve of a scan has a band, that of a genome has none") {
     const json of = json_in(folder / "c.json");
     const std::string words = of["resolution"]["words"];
     const std::string page = rough::read_whole(folder / "page.html");
-    for (const std::string& part :
-         {words, std::string("This is line contact"), std::string("The shaded band")})
+    for (const std::string& part : {words, std::string("This is line contact"), std::string("The shaded band")})
         CHECK_THAT(page, Catch::Contains(part));
 
     const Ended off = done(folder, press + "--resolution off --report page.html");
@@ -130,22 +122,18 @@ TEST_CASE("the curve of a scan has a band, that of a genome has none") {
 TEST_CASE("contact, profile and design warn of contact spots that are not resolved at half of the loads") {
     const Folder folder;
     const auto write_scan = [&](double wavelength) { // in nodes
-        const auto height = [&](int i) {
-            return std::cos(2 * M_PI * i / wavelength) + 0.2 * std::cos(0.037 * i);
-        };
+        const auto height = [&](int i) { return std::cos(2 * M_PI * i / wavelength) + 0.2 * std::cos(0.037 * i); };
         folder.write("scan.txt", heights_text(1000, height));
     };
     const std::string scan = "scan.txt --unit um --spacing 1 --force --out c";
     const auto warns = [&](const std::string& command, const std::string& page) {
         const Ended ended = answered(rugosa(command, folder.path()));
         const bool shown = ended.out.find("arning: contact spots are not resolved") != std::string::npos;
-        CHECK(shown ==
-              (rough::read_whole(folder / page).find("contact spots are not resolved") != std::string::npos));
+        CHECK(shown == (rough::read_whole(folder / page).find("contact spots are not resolved") != std::string::npos));
         return shown;
     };
     const auto contact = [&](const std::string& loads) {
-        const bool shown =
-            warns("contact --report page.html " + loads + " --profile " + scan + ".csv", "page.html");
+        const bool shown = warns("contact --report page.html " + loads + " --profile " + scan + ".csv", "page.html");
         CHECK(json_in(folder / "c.json")["resolution"]["is_resolved"] == !shown);
         return shown;
     };
@@ -175,17 +163,14 @@ TEST_CASE("contact takes a material's elasticity and warns beyond its hardness o
     folder.write("clean.txt", heights_text(500, clean));
     folder.write("spiked.txt", heights_text(500, spiked));
     const auto said = [&](const std::string& flags) {
-        return done(folder,
-                    "contact --unit um --spacing 1 --resolution off --force --out c.csv --profile " + flags)
+        return done(folder, "contact --unit um --spacing 1 --resolution off --force --out c.csv --profile " + flags)
             .out;
     };
-    const std::string carry = "warning: outliers carry the contact",
-                      ends = "warning: elastic theory is not valid from";
+    const std::string carry = "warning: outliers carry the contact", ends = "warning: elastic theory is not valid from";
     CHECK_THAT(said("spiked.txt"), Catch::StartsWith(carry));
     CHECK(said("spiked.txt --outliers remove").find(carry) == std::string::npos);
     CHECK(said("clean.txt").find("warning") == std::string::npos);
-    CHECK_THAT(said("clean.txt --material copper"),
-               Catch::StartsWith(ends) && Catch::Contains("hardness of copper"));
+    CHECK_THAT(said("clean.txt --material copper"), Catch::StartsWith(ends) && Catch::Contains("hardness of copper"));
     CHECK(said("clean.txt --material copper --hardness 369").find(ends) == std::string::npos);
     CHECK(said("clean.txt --material copper --to-pressure 1").find(ends) == std::string::npos);
 }
@@ -206,8 +191,7 @@ TEST_CASE("one line replaces a map of parallel ridges within an accuracy, which 
     folder.write("g.json", one_wave);
     const std::string common = "contact --genome g.json --kernel periodic --steps 5 ";
     done(folder, common + "--nodes 40 --out line.csv");
-    const Ended area =
-        done(folder, common + "--nodes 40x16 --length 0.84942x0.1 --accuracy 1e-3 --out area.csv");
+    const Ended area = done(folder, common + "--nodes 40x16 --length 0.84942x0.1 --accuracy 1e-3 --out area.csv");
     CHECK_THAT(area.out, Catch::Contains("One profile, the mean along the grooves, replaces the map"));
     const auto of_area = rows_of(folder / "area.csv"), of_line = rows_of(folder / "line.csv");
     for (std::size_t j = 0; j < 5; ++j)
@@ -217,8 +201,7 @@ TEST_CASE("one line replaces a map of parallel ridges within an accuracy, which 
     CHECK_THAT(rough::read_whole(folder / "area.json"), Catch::Contains("\"by_line\": true"));
     const auto crossed = [](int i, int j) { return std::cos(i * M_PI / 6) * (std::cos(j * M_PI / 6) + 0.1); };
     folder.write("map.txt", table_text(12, 12, crossed));
-    const Ended map =
-        done(folder, "contact --surface map.txt --spacing 1 --kernel periodic --reach 0.05 --steps 4 "
-                     "--accuracy 0.01 --out m.csv");
+    const Ended map = done(folder, "contact --surface map.txt --spacing 1 --kernel periodic --reach 0.05 --steps 4 "
+                                   "--accuracy 0.01 --out m.csv");
     CHECK_THAT(map.out, Catch::Contains("could not replace the map"));
 }

@@ -17,8 +17,8 @@ TEST_CASE("a query lists the nearest genomes with similarities that can be recom
     const Folder folder;
     const std::string target = RUGOSA_SOURCE "/experiments/targets/heldout.csv";
     done(folder, "database build g.db --genomes 300");
-    const Ended answer = done(folder, "database query g.db --target " + target +
-                                          " --max-pressure 1.6e-4 --best 3 --out best.json");
+    const Ended answer =
+        done(folder, "database query g.db --target " + target + " --max-pressure 1.6e-4 --best 3 --out best.json");
     CHECK_THAT(answer.out, Catch::Contains("300 curves screened"));
     double similarity = 0, worst = 0;
     const char* row = std::strstr(answer.out.c_str(), "\n   1 ");
@@ -51,7 +51,6 @@ TEST_CASE("a query verifies a genome whose stored load steps are too few for the
     const auto rows = rows_of(folder / "curve.csv");
     REQUIRE(rows.size() == wanted.size());
     double misfit = 0; // misfit of tangents
-    for (std::size_t i = 0; i < rows.size(); ++i)
-        misfit = std::max(misfit, std::abs(rows[i][3] / wanted[i] - 1));
+    for (std::size_t i = 0; i < rows.size(); ++i) misfit = std::max(misfit, std::abs(rows[i][3] / wanted[i] - 1));
     CHECK(worst < 1 - misfit + 0.05);
 }

@@ -9,9 +9,8 @@ using nlohmann::json;
 
 namespace {
 
-const std::string caps =
-    "design --asperities 3x3 --pitch 1.5 --radius 0.526 --heights 0:0.12:0.001 --modulus 1.36 "
-    "--nodes 64 --target law.csv ";
+const std::string caps = "design --asperities 3x3 --pitch 1.5 --radius 0.526 --heights 0:0.12:0.001 --modulus 1.36 "
+                         "--nodes 64 --target law.csv ";
 
 /// About twice the area of one cap.
 void write_law(const Folder& folder) {
@@ -67,10 +66,8 @@ TEST_CASE("wrong settings of caps are refused in one line") {
                                        {"--pipeline 'reduce dominant'", "reduce"}}) {
         const std::string given = flags;
         std::string command = caps;
-        if (given.starts_with("--heights"))
-            command.replace(command.find("--heights 0:0.12:0.001 "), 23, "");
-        if (given.starts_with("--pitch"))
-            command.replace(command.find("--pitch 1.5 "), 12, "");
+        if (given.starts_with("--heights")) command.replace(command.find("--heights 0:0.12:0.001 "), 23, "");
+        if (given.starts_with("--pitch")) command.replace(command.find("--pitch 1.5 "), 12, "");
         check_refused(rugosa(command + given, folder.path()), words);
     }
     check_refused(rugosa("design --target law.csv --pitch 1", folder.path()), "given without --asperities");

@@ -29,19 +29,17 @@ void write_scan(const Folder& folder) {
     folder.write("scan.txt", profile_text("x [mm];z [mm]", 401, 0.005, height));
 }
 
-const std::string from_scan =
-    "design --like scan.txt --nodes 128 --reach-similarity -1 --pipeline 'own 1 | score | "
-    "refine lm 4' ";
+const std::string from_scan = "design --like scan.txt --nodes 128 --reach-similarity -1 --pipeline 'own 1 | score | "
+                              "refine lm 4' ";
 
 } // namespace
 
 TEST_CASE("two targets give a front whose similarities follow from its genomes") {
     const Folder folder;
     const json result = result_of(
-        folder,
-        two_targets(folder) +
-            "--pipeline 'shape 12 | score | refine lm 3 | pareto goal1 goal2 | repeat 2 { tournament 2 "
-            "| cross uniform | mutate 0.1 | parents | pareto goal1 goal2 | best 12 } | front'");
+        folder, two_targets(folder) +
+                    "--pipeline 'shape 12 | score | refine lm 3 | pareto goal1 goal2 | repeat 2 { tournament 2 "
+                    "| cross uniform | mutate 0.1 | parents | pareto goal1 goal2 | best 12 } | front'");
     const json& front = result["variants"]["pipeline"]["front"];
     REQUIRE(front.size() > 1);
     const rough::DesignSetup setup{
@@ -51,19 +49,15 @@ TEST_CASE("two targets give a front whose similarities follow from its genomes")
     for (const json& one : front) {
         const rough::Genome genome = rough::genome_from_json(one["genome"], "genome");
         for (const auto& [name, refine] : {std::pair("similarity", 1), std::pair("similarity_refined", 4)}) {
-            const auto each =
-                similarities(setup, respond(setup, genome, rough::refined(setup.model, refine)));
-            for (std::size_t g = 0; g < 2; ++g)
-                CHECK(one[name][g].get<double>() == Approx(each[g]).margin(1e-9));
+            const auto each = similarities(setup, respond(setup, genome, rough::refined(setup.model, refine)));
+            for (std::size_t g = 0; g < 2; ++g) CHECK(one[name][g].get<double>() == Approx(each[g]).margin(1e-9));
         }
-        best =
-            std::max(best, std::min({one["similarity"][0].get<double>(), one["similarity"][1].get<double>(),
-                                     one["similarity_refined"][0].get<double>(),
-                                     one["similarity_refined"][1].get<double>()}));
+        best = std::max(
+            best, std::min({one["similarity"][0].get<double>(), one["similarity"][1].get<double>(),
+                            one["similarity_refined"][0].get<double>(), one["similarity_refined"][1].get<double>()}));
     }
     const json& variant = result["variants"]["pipeline"];
-    CHECK(std::min(variant["similarity"].get<double>(), variant["similarity_refined"].get<double>()) >=
-          best - 0.05);
+    CHECK(std::min(variant["similarity"].get<double>(), variant["similarity_refined"].get<double>()) >= best - 0.05);
     CHECK_THAT(rough::read_whole(folder / "r/report.html"), Catch::Contains("Conflict between the targets"));
 }
 
@@ -73,26 +67,24 @@ TEST_CASE("the answers of all variants hold the limits on shape") {
     const std::vector<std::string> few{"default", "sog", "gco"}; // Eq. 11 leaves amplitude no freedom
     for (const std::string mode : {"", " --max-pressure 1.6e-4"})
         for (const std::string& variant : mode.empty() ? all : few) {
-            const std::string words = "design --target '" RUGOSA_SOURCE
-                                      "/experiments/targets/drawn.csv' --nodes 64 "
+            const std::string words = "design --target '" RUGOSA_SOURCE "/experiments/targets/drawn.csv' --nodes 64 "
                                       "--pictures off --max-slope 6e-4 --max-height 2e-4 "
                                       "--min-radius 5 --shortest-wave 0.04 --force --variant " +
                                       variant + mode;
             const json answer = result_of(folder, words)["variants"][variant];
             CHECK(answer["within_limits"] == true);
-            for (const json& margin : answer["margins"])
-                CHECK(margin["margin"].get<double>() >= 0);
+            for (const json& margin : answer["margins"]) CHECK(margin["margin"].get<double>() >= 0);
         }
 }
 
 TEST_CASE("the genes of a design keep to the given bounds") {
     const Folder folder;
-    const json all = result_of(
-        folder,
-        "design --target '" RUGOSA_SOURCE "/experiments/targets/drawn.csv' --nodes 64 --shortest-wave 0.1 "
-        "--pictures off --pipeline 'sample 8 | score | refine lm 3 | best 1' --hurst-from 0.6 --hurst-to "
-        "0.65 --gamma-from 1.75 --gamma-to 1.8 --lambda-from 0.5 --lambda-to 0.6")["variants"]["pipeline"]
-                                                                                  ["genome"]["series"];
+    const json all =
+        result_of(folder,
+                  "design --target '" RUGOSA_SOURCE "/experiments/targets/drawn.csv' --nodes 64 --shortest-wave 0.1 "
+                  "--pictures off --pipeline 'sample 8 | score | refine lm 3 | best 1' --hurst-from 0.6 --hurst-to "
+                  "0.65 --gamma-from 1.75 --gamma-to 1.8 --lambda-from 0.5 --lambda-to 0.6")["variants"]["pipeline"]
+                                                                                            ["genome"]["series"];
     REQUIRE_FALSE(all.empty());
     for (const json& series : all)
         for (const auto& [gene, from, to] :
@@ -118,8 +110,8 @@ TEST_CASE("a drifted surface is brought back by changing only the controlled chr
     for (const std::size_t kept : {0u, 2u})
         CHECK(before.series[0].chromosomes[kept].phases == after.series[0].chromosomes[kept].phases);
     for (const std::size_t moved : {1u, 3u})
-        CHECK(std::abs(before.series[0].chromosomes[moved].phases[0] -
-                       after.series[0].chromosomes[moved].phases[0]) <= 0.2 * std::numbers::pi);
+        CHECK(std::abs(before.series[0].chromosomes[moved].phases[0] - after.series[0].chromosomes[moved].phases[0]) <=
+              0.2 * std::numbers::pi);
 }
 
 TEST_CASE("a design like a scan has the targets stiffness and area, or a given one") {
@@ -143,40 +135,34 @@ TEST_CASE("the error in quantities that were not requested is on terminal, page 
     const json result = result_in(folder / "r"), summary = result["summary"];
     rough::ScanOptions options;
     const rough::Profile scan = rough::open_scan(folder / "scan.txt", options).measured;
-    const rough::Model model =
-        rough::completed({.grid = {128, result["length_mm"]}, .loading = {result["steps"]}});
-    const rough::DesignSetup setup{
-        .model = model,
-        .targets = {target_like(scan, model, "area", rough::Quantity::area_at_pressure)},
-        .measured = scan};
+    const rough::Model model = rough::completed({.grid = {128, result["length_mm"]}, .loading = {result["steps"]}});
+    const rough::DesignSetup setup{.model = model,
+                                   .targets = {target_like(scan, model, "area", rough::Quantity::area_at_pressure)},
+                                   .measured = scan};
     const rough::Genome genome = rough::genome_from_json(result["variants"]["pipeline"]["genome"], "genome");
     const double off = summary["unrequested_errors"]["contact area"];
     CHECK(off == Approx(1 - similarity(setup, genome)).epsilon(1e-6));
     CHECK(summary["found"] == true);
     CHECK(summary["lowest"] == result["variants"]["pipeline"]["similarity_worst"]);
     const std::string page = rough::read_whole(folder / "r/report.html");
-    for (const char* fact :
-         {"matched", "not_requested", "worst_case", "yielding", "making", "carries_over"}) {
+    for (const char* fact : {"matched", "not_requested", "worst_case", "yielding", "making", "carries_over"}) {
         const std::string text = summary[fact];
         INFO(fact << ": " << text);
         CHECK_THAT(ended.out, Catch::Contains(text));
         CHECK_THAT(page, Catch::Contains(text.substr(0, 20)));
     }
-    CHECK_THAT(summary["not_requested"].get<std::string>(),
-               Catch::Contains("interface stiffness was not requested"));
-    CHECK_THAT(summary["carries_over"].get<std::string>(),
-               Catch::Contains("only for this length and the datum"));
+    CHECK_THAT(summary["not_requested"].get<std::string>(), Catch::Contains("interface stiffness was not requested"));
+    CHECK_THAT(summary["carries_over"].get<std::string>(), Catch::Contains("only for this length and the datum"));
 }
 
 TEST_CASE("a design with noise or a hardness is found only if it holds under them") {
     const Folder folder;
     write_scan(folder);
     const auto verified = [&](const std::string& flags) {
-        const Ended ended =
-            rugosa("design --like scan.txt --nodes 128 --pipeline 'own 1 | score | refine lm 10' "
-                   "--quantity stiffness --pictures off --force --out r" +
-                       flags,
-                   folder.path());
+        const Ended ended = rugosa("design --like scan.txt --nodes 128 --pipeline 'own 1 | score | refine lm 10' "
+                                   "--quantity stiffness --pictures off --force --out r" +
+                                       flags,
+                                   folder.path());
         INFO(flags << ": " << ended.err << ended.out);
         CHECK(ended.code == (result_in(folder / "r")["summary"]["found"].get<bool>() ? 0 : 3));
         return result_in(folder / "r")["summary"];

@@ -26,15 +26,12 @@ rough::DesignSetup setup_of(const json& result) {
         grid.nodes = result["nodes"], grid.length = result["length_mm"];
         model.contact.solver = rough::Solver::nested;
     }
-    if (result["kernel"] == "periodic")
-        model.body.kernel = rough::Kernel::periodic;
-    if (!result["datum_mm"].is_null())
-        model.body.datum = result["datum_mm"].get<double>();
+    if (result["kernel"] == "periodic") model.body.kernel = rough::Kernel::periodic;
+    if (!result["datum_mm"].is_null()) model.body.datum = result["datum_mm"].get<double>();
     model.loading.steps = result["steps"];
     rough::DesignSetup setup{.model = rough::completed(model),
                              .targets = {rough::read_target(RUGOSA_SOURCE "/experiments/targets/drawn.csv")}};
-    if (!result["max_pressure_MPa"].is_null())
-        setup.max_pressure = result["max_pressure_MPa"].get<double>();
+    if (!result["max_pressure_MPa"].is_null()) setup.max_pressure = result["max_pressure_MPa"].get<double>();
     return setup;
 }
 
@@ -42,8 +39,8 @@ rough::DesignSetup setup_of(const json& result) {
 
 TEST_CASE("the similarities of a design follow from its genome, for profiles and maps") {
     const std::string map = " --max-pressure 1.6e-4 --nodes 20x18 --length 0.84942x0.8 --kernel ";
-    for (const std::string& mode : {std::string(), std::string(" --max-pressure 1.6e-4 --pictures off"),
-                                    map + "free", map + "periodic"}) {
+    for (const std::string& mode :
+         {std::string(), std::string(" --max-pressure 1.6e-4 --pictures off"), map + "free", map + "periodic"}) {
         INFO(mode);
         const Folder folder;
         const Ended ended = answered(rugosa(drawn + mode + pictured + " --out r", folder.path()));
@@ -54,15 +51,12 @@ TEST_CASE("the similarities of a design follow from its genome, for profiles and
         const json& variant = result["variants"]["pipeline"];
         const rough::Genome genome = rough::genome_from_json(variant["genome"], "genome");
         CHECK(variant["similarity"].get<double>() == Approx(similarity(setup, genome)).margin(error));
-        CHECK(variant["similarity_refined"].get<double>() ==
-              Approx(similarity(setup, genome, 4)).margin(error));
+        CHECK(variant["similarity_refined"].get<double>() == Approx(similarity(setup, genome, 4)).margin(error));
         const rough::Verification verified = rough::Verifier(is_map ? setup : as_reported(setup)).of(genome);
         CHECK(variant["similarity_worst"].get<double>() == Approx(verified.worst).margin(error));
         CHECK_THAT(result["summary"]["matched"].get<std::string>(),
-                   Catch::Contains("off by up to " + app::percent(1 - verified.worst) +
-                                   " with the estimated error"));
-        CHECK(ended.code ==
-              (variant["similarity_worst"].get<double>() >= rough::default_required_similarity ? 0 : 3));
+                   Catch::Contains("off by up to " + app::percent(1 - verified.worst) + " with the estimated error"));
+        CHECK(ended.code == (variant["similarity_worst"].get<double>() >= rough::default_required_similarity ? 0 : 3));
         CHECK(variant["alternatives"].size() >= 1);
         CHECK(variant["trust"]["checks"].size() == (is_map ? 4 : 5));
         CHECK(variant["trust"]["tenth_percentile"] <= variant["trust"]["median"]);
@@ -77,11 +71,9 @@ TEST_CASE("the similarities of a design follow from its genome, for profiles and
             CHECK(rough::read_whole(folder / "r" / "surface.3mf") == three_mf(answer, extrusion));
             CHECK(rough::read_whole(folder / "r" / "surface.png") == height_image(answer).png);
         }
-        if (!is_map && setup.max_pressure)
-            continue;
+        if (!is_map && setup.max_pressure) continue;
         const std::string page = rough::read_whole(folder / "r/report.html");
-        CHECK_THAT(page, Catch::Contains("id=\"target-1\"") &&
-                             Catch::Contains(is_map ? "<image" : "id=\"profiles\"") &&
+        CHECK_THAT(page, Catch::Contains("id=\"target-1\"") && Catch::Contains(is_map ? "<image" : "id=\"profiles\"") &&
                              !Catch::Contains("No picture"));
         done(folder, "report r --out again.html");
         CHECK(rough::read_whole(folder / "again.html") == page);
@@ -94,9 +86,8 @@ TEST_CASE("a target out of reach is reported with the pressures at fault") {
     folder.write("stiff.csv", "pressure_MPa,stiffness_MPa_per_mm\n1e-5,0.5\n5e-5,0.8\n1e-4,3\n");
     for (const auto& [name, word, at] :
          {std::tuple("falls", "falls", 5e-5), std::tuple("stiff", "full contact", 1e-4)}) {
-        const Ended ended =
-            rugosa(std::string("design --target ") + name + ".csv --nodes 128" + brief + " --out " + name,
-                   folder.path());
+        const Ended ended = rugosa(
+            std::string("design --target ") + name + ".csv --nodes 128" + brief + " --out " + name, folder.path());
         CHECK(ended.code == 3);
         CHECK(ended.err.empty());
         const json result = result_in(folder / name);
@@ -138,8 +129,7 @@ TEST_CASE("a design leaves a valid result in any time, and when interrupted") {
         CHECK((tolerance["draws"] > 0) == has_noise);
         CHECK((page.find("tolerance to noise was not computed for lack of time") != page.npos) == !has_noise);
     }
-    const Ended drawn_too =
-        rugosa(drawn + " --nodes 128 --reach-similarity 0.9 --out pictured", folder.path());
+    const Ended drawn_too = rugosa(drawn + " --nodes 128 --reach-similarity 0.9 --out pictured", folder.path());
     CHECK(drawn_too.code == 0);
     CHECK_THAT(rough::read_whole(folder / "pictured/report.html"),
                Catch::Contains("<svg") && Catch::Contains("answer 1"));
@@ -156,12 +146,11 @@ TEST_CASE("a design from a database is better than its nearest curves") {
     const Ended ended = answered(rugosa("design --database g.db --out r" + target, folder.path()));
     CHECK_THAT(ended.out, Catch::Contains("2000 stored curves screened"));
     const json result = result_in(folder / "r");
-    done(folder, "database query g.db --best 1 --out best.json --target '" RUGOSA_SOURCE
-                 "/experiments/targets/heldout.csv'");
+    done(folder,
+         "database query g.db --best 1 --out best.json --target '" RUGOSA_SOURCE "/experiments/targets/heldout.csv'");
     REQUIRE(rugosa("design --database g.db --seconds 1 --out quick" + target, folder.path()).code != 2);
-    const rough::DesignSetup setup{
-        .model = rough::completed({.grid = {.nodes = 128}}),
-        .targets = {rough::read_target(RUGOSA_SOURCE "/experiments/targets/heldout.csv")}};
+    const rough::DesignSetup setup{.model = rough::completed({.grid = {.nodes = 128}}),
+                                   .targets = {rough::read_target(RUGOSA_SOURCE "/experiments/targets/heldout.csv")}};
     const rough::Genome best = rough::read_genome(folder / "best.json");
     rough::DesignSetup in_its_steps = setup; // as the answer is reported, not in the database's 20
     in_its_steps.model.loading.steps = result["steps"];
@@ -188,8 +177,7 @@ TEST_CASE("a design like a map has two targets on the nodes of the map", "[areas
 TEST_CASE("a map without time to verify is reported as not verified", "[areas]") {
     const Folder folder;
     const Ended ended =
-        rugosa(drawn + " --max-pressure 1.6e-4 --nodes 24x24 --length 0.84942 --seconds 1e-3 --out r",
-               folder.path());
+        rugosa(drawn + " --max-pressure 1.6e-4 --nodes 24x24 --length 0.84942 --seconds 1e-3 --out r", folder.path());
     INFO(ended.err << ended.out);
     REQUIRE(ended.code == 3);
     const json result = result_in(folder / "r");
@@ -206,8 +194,7 @@ TEST_CASE("a map without time to verify is reported as not verified", "[areas]")
 TEST_CASE("a design out of time resumes to the same result, but not with another set-up") {
     const Folder folder;
     const std::string words =
-        "design --target '" RUGOSA_SOURCE
-        "/experiments/targets/drawn.csv' --nodes 128 --threads 1 --pictures off "
+        "design --target '" RUGOSA_SOURCE "/experiments/targets/drawn.csv' --nodes 128 --threads 1 --pictures off "
         "--max-slope 0.5 --pipeline 'shape 12 | score | best 4 | refine lm 6 | repeat 12 { tournament 2 | "
         "cross uniform | mutate 0.1 | score | refine lm 6 | elite 1 } | best 2 | score verified'";
     const Ended whole = rugosa(words + " --out whole", folder.path());
@@ -215,11 +202,9 @@ TEST_CASE("a design out of time resumes to the same result, but not with another
     // On a machine of any speed, a short enough time ends the search, or shortens the tolerance after it.
     int unfinished = 0;
     for (double seconds = 0.7 * whole.seconds; unfinished < 3 && seconds > 1e-3; seconds *= 0.8) {
-        const Ended cut =
-            rugosa(words + " --force --out cut --seconds " + std::to_string(seconds), folder.path());
+        const Ended cut = rugosa(words + " --force --out cut --seconds " + std::to_string(seconds), folder.path());
         REQUIRE(cut.code != 2);
-        if (cut.out.find("--resume") == std::string::npos)
-            continue;
+        if (cut.out.find("--resume") == std::string::npos) continue;
         if (++unfinished == 1)
             check_refused(rugosa(words + " --max-height 1 --out cut --resume", folder.path()), "checkpoint");
         REQUIRE(rugosa(words + " --out cut --resume", folder.path()).code != 2);
@@ -245,12 +230,10 @@ TEST_CASE("a design of a material is checked against its hardness, and speaks of
     done(folder, "target --formula '3e4 * p^0.95' --quantity conductance --conductivity 167 --material "
                  "aluminium --length 10 "
                  "--to 5 --points 6 --out h.csv");
-    REQUIRE(
-        rugosa(
-            "design --target h.csv --conductivity 167 --material aluminium --length 10 --nodes 65 --pictures "
-            "off --out r --pipeline 'shape 6 | score | best 2 | refine lm 8 | best 1'",
-            folder.path())
-            .code != 2);
+    REQUIRE(rugosa("design --target h.csv --conductivity 167 --material aluminium --length 10 --nodes 65 --pictures "
+                   "off --out r --pipeline 'shape 6 | score | best 2 | refine lm 8 | best 1'",
+                   folder.path())
+                .code != 2);
     const json summary = result_in(folder / "r")["summary"];
     CHECK_THAT(summary["matched"].get<std::string>(), Catch::StartsWith("conductance: similarity "));
     CHECK_THAT(summary["yielding"].get<std::string>(), Catch::StartsWith("yes, the highest node pressure"));

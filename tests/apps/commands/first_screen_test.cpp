@@ -42,8 +42,7 @@ struct Recomputed {
             for (const json& each : series["chromosomes"]) {
                 const int number = each["n"];
                 const double k = 2 * pi / lambda * std::pow(gamma, number - 1),
-                             G = A *
-                                 std::sqrt(std::log10(gamma) / static_cast<double>(each["phases"].size())) *
+                             G = A * std::sqrt(std::log10(gamma) / static_cast<double>(each["phases"].size())) *
                                  std::pow(2 * pi / lambda, -H) * std::pow(gamma, -(number - 1) * H);
                 for (const double phase : each["phases"])
                     for (Index i = 0; i < n; ++i) // derivatives of cos(phase) - cos(k x + phase)
@@ -58,9 +57,8 @@ struct Recomputed {
         double shortest = HUGE_VAL;
         for (const json& series : genome["series"])
             for (const json& each : series["chromosomes"])
-                shortest =
-                    std::min(shortest, series["lambda"].get<double>() *
-                                           std::pow(series["gamma"].get<double>(), 1 - each["n"].get<int>()));
+                shortest = std::min(shortest, series["lambda"].get<double>() *
+                                                  std::pow(series["gamma"].get<double>(), 1 - each["n"].get<int>()));
         return shortest;
     }
     rough::Response response(const Eigen::VectorXd& z, int times = 1, double datum = length) const {
@@ -81,8 +79,7 @@ struct Recomputed {
         Eigen::VectorXd off(static_cast<Index>(pressures.size()));
         for (std::size_t k = 0; k < pressures.size(); ++k) {
             std::size_t i = 0;
-            while (i + 2 < x.size() && x[i + 1] < pressures[k])
-                ++i;
+            while (i + 2 < x.size() && x[i + 1] < pressures[k]) ++i;
             const double found = y[i] + (y[i + 1] - y[i]) * (pressures[k] - x[i]) / (x[i + 1] - x[i]);
             off[static_cast<Index>(k)] = found / (1 / (1 / stiffnesses[k] + compliance)) - 1;
         }
@@ -102,9 +99,8 @@ TEST_CASE("every number on a design's first screen follows from its genome and t
         target += std::to_string(pressures[k]) + "," + std::to_string(stiffnesses[k]) + "\n";
     folder.write("K.csv", target);
     const json result = result_of(
-        folder,
-        "design --target K.csv --nodes 97 --length 0.5 --modulus 2 --poisson 0.3 --steps 12 --draws 1000 "
-        "--pipeline 'shape 6 | score | best 2 | refine lm 8 | best 1'");
+        folder, "design --target K.csv --nodes 97 --length 0.5 --modulus 2 --poisson 0.3 --steps 12 --draws 1000 "
+                "--pipeline 'shape 6 | score | best 2 | refine lm 8 | best 1'");
     const json &variant = result["variants"]["pipeline"], &summary = result["summary"];
     const Recomputed design{variant["genome"]};
     const Eigen::VectorXd z = design.heights(nodes), fine = design.heights(4 * nodes - 3);
@@ -117,8 +113,7 @@ TEST_CASE("every number on a design's first screen follows from its genome and t
     double largest = 0, at = 0;
     for (Index k = 0; k < finest.size(); ++k) {
         const Index from = std::max<Index>(0, k - 1), count = std::min(finest.size(), k + 2) - from;
-        const double error =
-            by_steps.segment(from, count).maxCoeff() + by_grid.segment(from, count).maxCoeff() / 3;
+        const double error = by_steps.segment(from, count).maxCoeff() + by_grid.segment(from, count).maxCoeff() / 3;
         if (std::abs(finest[k]) + error > largest)
             largest = std::abs(finest[k]) + error, at = pressures[static_cast<std::size_t>(k)];
     }
@@ -129,22 +124,18 @@ TEST_CASE("every number on a design's first screen follows from its genome and t
         const std::vector<double> found = numbers_in(text);
         INFO(fact << ": " << text);
         REQUIRE(found.size() >= expected.size());
-        for (std::size_t i = 0; i < expected.size(); ++i)
-            CHECK(found[i] == Approx(expected[i]).epsilon(error));
+        for (std::size_t i = 0; i < expected.size(); ++i) CHECK(found[i] == Approx(expected[i]).epsilon(error));
     };
     CAPTURE(checks);
     REQUIRE(lowest < 0.99); // so that the screen names the obstacles
     const auto rows = app::csv_rows(rough::read_whole(folder / "r" / "points.csv")); // and their header
-    double drawn = 0; // largest misfit in the picture
-    for (std::size_t k = 1; k < rows.size(); ++k)
-        drawn = std::max(drawn, std::abs(std::stod(rows[k].back())));
+    double drawn = 0;                                                                // largest misfit in the picture
+    for (std::size_t k = 1; k < rows.size(); ++k) drawn = std::max(drawn, std::abs(std::stod(rows[k].back())));
     CHECK(drawn == Approx(largest).epsilon(1e-6));
 
-    for (const auto& [key, value] : {std::pair("similarity", checks[0]),
-                                     {"similarity_refined", checks[1]},
-                                     {"similarity_worst", lowest}})
-        if (variant.contains(key))
-            CHECK(variant[key].get<double>() == Approx(value).margin(1e-8));
+    for (const auto& [key, value] :
+         {std::pair("similarity", checks[0]), {"similarity_refined", checks[1]}, {"similarity_worst", lowest}})
+        if (variant.contains(key)) CHECK(variant[key].get<double>() == Approx(value).margin(1e-8));
     CHECK(summary["lowest"].get<double>() == Approx(lowest).margin(1e-8));
     const std::string page = rough::read_whole(folder / "r" / "report.html");
     for (const double value : {0.99, checks[0], checks[1], lowest}) {
@@ -161,24 +152,20 @@ TEST_CASE("every number on a design's first screen follows from its genome and t
 
     // 1/K grows by (2 L/(pi E*)) ln 4 with the datum, in the target too.
     const double compliance = 2 * length / (std::numbers::pi * modulus) * std::log(4);
-    const double with_datum =
-        1 - design.misfits(design.response(z, 1, 4 * length), compliance).cwiseAbs().maxCoeff();
-    says("worst_case",
-         {checks[0], checks[1], 4, checks[2], 16, checks[3], checks[3] - lowest, lowest, with_datum, 4});
+    const double with_datum = 1 - design.misfits(design.response(z, 1, 4 * length), compliance).cwiseAbs().maxCoeff();
+    says("worst_case", {checks[0], checks[1], 4, checks[2], 16, checks[3], checks[3] - lowest, lowest, with_datum, 4});
 
     rough::Body body;
     body.effective_modulus = modulus;
     const rough::Profile profile{z, length / static_cast<double>(nodes - 1)};
-    const double peak = solve_contact(profile, body, {own.displacement.tail(1)[0]}, {.states = true})
-                            .states[0]
-                            .pressure.maxCoeff();
+    const double peak =
+        solve_contact(profile, body, {own.displacement.tail(1)[0]}, {.states = true}).states[0].pressure.maxCoeff();
     says("yielding", {1e3 * peak, 100 * peak / modulus});
 
     constexpr Index dense = 20001;
     const auto extreme = [&](int order) { return design.heights(dense, order).cwiseAbs().maxCoeff(); };
     const Eigen::VectorXd all = design.heights(dense);
-    says("making", {design.shortest_wave(), extreme(1), all.maxCoeff() - all.minCoeff(), 1 / extreme(2)},
-         0.03);
+    says("making", {design.shortest_wave(), extreme(1), all.maxCoeff() - all.minCoeff(), 1 / extreme(2)}, 0.03);
     says("carries_over", {length, length});
 
     // The sentence on the tolerance at one level, then the levels that are not reached: "... is 0.93".
@@ -204,13 +191,11 @@ TEST_CASE("every number on a design's first screen follows from its genome and t
     }
     int kept = 0;
     for (std::uint64_t draw = 0; draw < 1000; ++draw)
-        kept += design.similarity(
-                    z + noise * rough::height_noise({nodes, length}, length / 60, 1000 + draw)) >= level;
+        kept += design.similarity(z + noise * rough::height_noise({nodes, length}, length / 60, 1000 + draw)) >= level;
     CHECK(kept >= 920);
     CHECK(kept <= 980);
     if (const std::size_t rest = machine.find("is "); rest != std::string::npos)
         CHECK(std::stod(machine.substr(rest + 3)) == Approx(checks[0]).epsilon(1e-3));
     for (const json& one : variant["tolerance"]["levels"])
-        if (one["similarity"] == level)
-            CHECK(one["noise_rms_mm"].get<double>() == Approx(noise).epsilon(6e-3));
+        if (one["similarity"] == level) CHECK(one["noise_rms_mm"].get<double>() == Approx(noise).epsilon(6e-3));
 }

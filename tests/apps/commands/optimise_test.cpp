@@ -9,8 +9,8 @@ namespace {
 class Desk : public Folder {
   public:
     Desk() {
-        std::filesystem::create_symlink(
-            std::filesystem::path(RUGOSA_PROGRAM).parent_path() / "tests/evaluate", path() / "child");
+        std::filesystem::create_symlink(std::filesystem::path(RUGOSA_PROGRAM).parent_path() / "tests/evaluate",
+                                        path() / "child");
     }
     Ended optimise(const std::string& words) const { return rugosa("optimise " + words, path()); }
     json result(const std::string& folder) const { return result_in(path() / folder); }
@@ -25,8 +25,8 @@ class Desk : public Folder {
 
 TEST_CASE("optimise minimises a program over real vectors") {
     const Desk desk;
-    const Ended ended = succeeded(desk.optimise(
-        "--genes real:5:-5:5 --evaluate './child sphere' --minimise --evaluations 4000 --out out"));
+    const Ended ended = succeeded(
+        desk.optimise("--genes real:5:-5:5 --evaluate './child sphere' --minimise --evaluations 4000 --out out"));
     const json result = desk.result("out");
     CHECK_THAT(ended.out, Catch::StartsWith("out: best ") &&
                               Catch::Contains(" after " + result["evaluations"].dump() + " evaluations ("));
@@ -35,19 +35,17 @@ TEST_CASE("optimise minimises a program over real vectors") {
     CHECK(result["evaluations"] <= 4000);
     CHECK_FALSE(result.contains("front"));
     double sum = 0;
-    for (const double gene : result["best"]["genes"])
-        sum += gene * gene;
+    for (const double gene : result["best"]["genes"]) sum += gene * gene;
     CHECK(result["best"]["objectives"][0].get<double>() == Approx(sum));
 }
 
 TEST_CASE("real vectors have the variants bipop-cma-es, ipop-cma-es and lshade") {
     const Desk desk;
     for (const std::string variant : {"bipop-cma-es", "ipop-cma-es", "lshade"}) {
-        const json result =
-            desk.found("--genes real:5:-5:5 --evaluate './child sphere' --minimise --evaluations 2500 "
-                       "--variant " +
-                           variant,
-                       variant);
+        const json result = desk.found("--genes real:5:-5:5 --evaluate './child sphere' --minimise --evaluations 2500 "
+                                       "--variant " +
+                                           variant,
+                                       variant);
         CHECK(result["best"]["objectives"][0] < (variant == "lshade" ? 1e-3 : 1e-10));
         CHECK(result["evaluations"] <= 2500);
     }
@@ -100,14 +98,12 @@ TEST_CASE("fixed, stepped and logarithmic genes keep their values and bounds") {
 TEST_CASE("a search begins with the genomes of --start, and names a wrong row") {
     const Desk desk;
     desk.write("start.csv", "# best first\n[0.001, 7, \"b\"]\n-3,0,c\n");
-    const std::string words =
-        "--genes real:1:-5:5,int:1:0:9,choice:1:b:c --evaluate './child sphere' --minimise ";
+    const std::string words = "--genes real:1:-5:5,int:1:0:9,choice:1:b:c --evaluate './child sphere' --minimise ";
     const json one = desk.found(words + "--start start.csv --evaluations 2 --pipeline 'score | best 1'");
     CHECK(one["best"]["genes"] == json({-3, 0, "c"}));
     const json whole = desk.found(words + "--start start.csv --evaluations 300", "whole");
     desk.found(words + "--start start.csv --evaluations 150", "cut");
-    CHECK(timeless(desk.found(words + "--start start.csv --evaluations 300 --resume", "cut")) ==
-          timeless(whole));
+    CHECK(timeless(desk.found(words + "--start start.csv --evaluations 300 --resume", "cut")) == timeless(whole));
     for (const auto& [row, message] : {std::pair{"1,2", "start.csv, line 1: 2 genes; give 3\n"},
                                        {"1,2.5,b", "line 1, gene 2: 2.5 is out of range (whole, 0 to 9)\n"},
                                        {"6,2,b", "line 1, gene 1: 6 is out of range (-5 to 5)\n"},
@@ -166,27 +162,23 @@ TEST_CASE("a failed evaluation of any kind is a failure of its genome, and the r
          {"echo '{\"id\":'$n',\"failed\":\"mesh failed\"}'", "echo '{\"id\":'$n',\"objectives\":[NaN]}'",
           "echo '{\"id\":'$n',\"objectives\":[null]}'", "exit 7", "kill -SEGV $$", "sleep 600"}) {
         CAPTURE(fault);
-        desk.write("fails.sh", "while read -r line; do n=${line#*:}; n=${n%%,*}; case $line in *'[1,'*) " +
-                                   fault + ";; *) echo '{\"id\":'$n',\"objectives\":[2]}';; esac; done\n");
-        const json result =
-            desk.found("--genes bits:4 --evaluate 'sh fails.sh' --timeout 0.3 --force "
-                       "--threads 2 --pipeline 'sample 9 | score | repeat 4 { mutate 0.1 | score }'");
+        desk.write("fails.sh", "while read -r line; do n=${line#*:}; n=${n%%,*}; case $line in *'[1,'*) " + fault +
+                                   ";; *) echo '{\"id\":'$n',\"objectives\":[2]}';; esac; done\n");
+        const json result = desk.found("--genes bits:4 --evaluate 'sh fails.sh' --timeout 0.3 --force "
+                                       "--threads 2 --pipeline 'sample 9 | score | repeat 4 { mutate 0.1 | score }'");
         CHECK(result["best"]["genes"][0] == 0);
         CHECK(result["failures"] > 0);
         CHECK(result["stopped"] == "");
-        CHECK_THAT(result["notes"].back().get<std::string>(),
-                   Catch::Contains(" evaluations failed; the first: "));
+        CHECK_THAT(result["notes"].back().get<std::string>(), Catch::Contains(" evaluations failed; the first: "));
     }
 }
 
 TEST_CASE("failures before the first success are counted, and reach a child once") {
     const Desk desk;
-    desk.write("late.sh",
-               "while read -r line; do echo >>sent; n=${line#*:}; n=${n%%,*}; if [ $n -le 5 ]; then "
-               "echo '{\"id\":'$n',\"failed\":\"not yet\"}'; else echo "
-               "'{\"id\":'$n',\"objectives\":['$n']}'; fi; done\n");
-    for (const std::string pipeline :
-         {"sample 3 | score | repeat 4 { mutate 1 | score }", "sample 20 | score"}) {
+    desk.write("late.sh", "while read -r line; do echo >>sent; n=${line#*:}; n=${n%%,*}; if [ $n -le 5 ]; then "
+                          "echo '{\"id\":'$n',\"failed\":\"not yet\"}'; else echo "
+                          "'{\"id\":'$n',\"objectives\":['$n']}'; fi; done\n");
+    for (const std::string pipeline : {"sample 3 | score | repeat 4 { mutate 1 | score }", "sample 20 | score"}) {
         std::filesystem::remove(desk / "sent");
         const json result = desk.found("--genes real:2:-5:5 --evaluate 'sh late.sh' --force --threads 1 "
                                        "--pipeline '" +
@@ -204,15 +196,12 @@ TEST_CASE("a run of failures ends at --max-failures, and keeps the best") {
     const std::string words = "--genes real:2:-5:5 --evaluate 'sh rare.sh' --threads 1 --evaluations 400 "
                               "--force --max-failures ";
     const json ended = desk.found(words + "0.5");
-    CHECK_THAT(ended["stopped"].get<std::string>(),
-               Catch::Contains("evaluations failed; the first: no mesh"));
+    CHECK_THAT(ended["stopped"].get<std::string>(), Catch::Contains("evaluations failed; the first: no mesh"));
     CHECK(ended["best"]["objectives"][0] >= 10);
     CHECK(ended["evaluations"] < 400);
     CHECK(desk.found(words + "0.95")["stopped"] == "evaluation budget spent");
-    desk.write("rare.sh",
-               "while read -r line; do n=${line#*:}; echo '{\"id\":'${n%%,*}',\"failed\":\"no\"}'; done\n");
-    check_refused(desk.optimise(words + "0.9 --out none"),
-                  "every one of 200 evaluations failed; the first: no");
+    desk.write("rare.sh", "while read -r line; do n=${line#*:}; echo '{\"id\":'${n%%,*}',\"failed\":\"no\"}'; done\n");
+    check_refused(desk.optimise(words + "0.9 --out none"), "every one of 200 evaluations failed; the first: no");
 }
 
 TEST_CASE("a child that dies is started again, and a hundred deaths in a row end the run") {
@@ -246,18 +235,16 @@ TEST_CASE("a wrong answer of a child is quoted with the request") {
         CHECK_FALSE(std::filesystem::exists(desk / "out"));
     }
     const Desk desk;
-    desk.write("less.sh",
-               "read a; echo '{\"id\":1,\"objectives\":[1,2]}'; read a; echo '{\"id\":2,\"objectives\":"
-               "[1]}'; read a\n");
+    desk.write("less.sh", "read a; echo '{\"id\":1,\"objectives\":[1,2]}'; read a; echo '{\"id\":2,\"objectives\":"
+                          "[1]}'; read a\n");
     CHECK_THAT(desk.optimise("--genes bits:2 --evaluate 'sh less.sh' --threads 1 --out out").err,
                Catch::Contains("(1 objectives)") && Catch::Contains("[2 finite numbers]"));
 }
 
 TEST_CASE("an interrupted run ends its children and writes the best so far") {
     const Desk desk;
-    desk.write("slow.sh",
-               "n=0; while read line; do n=$((n+1)); [ $n -gt 3 ] && { echo >begun; sleep 600; }; echo "
-               "\"{\\\"id\\\":$n,\\\"objectives\\\":[$n]}\"; done\n");
+    desk.write("slow.sh", "n=0; while read line; do n=$((n+1)); [ $n -gt 3 ] && { echo >begun; sleep 600; }; echo "
+                          "\"{\\\"id\\\":$n,\\\"objectives\\\":[$n]}\"; done\n");
     const std::string words = "optimise --genes bits:9 --evaluate 'sh slow.sh' --threads 1 --out out";
     CHECK(rugosa_stopped(0, "begun", words, desk.path()).code == 130);
     CHECK(desk.result("out")["best"]["objectives"][0] == 3);
@@ -275,8 +262,7 @@ TEST_CASE("children of a killed run end, and so do the processes that they start
 
 TEST_CASE("the log of a chatty child stays small, and its end is quoted") {
     const Desk desk;
-    desk.write("chats.sh",
-               "read line; yes 'far too much to say' | head -c 200000 >&2; echo at last >&2; exit 3\n");
+    desk.write("chats.sh", "read line; yes 'far too much to say' | head -c 200000 >&2; echo at last >&2; exit 3\n");
     const Ended ended = desk.optimise("--genes bits:9 --evaluate 'sh chats.sh' --threads 1 --out out");
     check_refused(ended, "at last");
     CHECK(std::filesystem::file_size(desk / "out/evaluate.log") <= 10'000'000);

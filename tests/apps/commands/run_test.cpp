@@ -7,13 +7,11 @@ using nlohmann::json;
 namespace {
 
 const std::string paper = "run '" RUGOSA_SOURCE "/experiments/paper/paper.ini'";
-const std::string coarse =
-    " --pictures off --set model.nodes=64 --set database.pairs=6 --set paper.sweep-points=2";
+const std::string coarse = " --pictures off --set model.nodes=64 --set database.pairs=6 --set paper.sweep-points=2";
 
 } // namespace
 
-TEST_CASE(
-    "the paper's experiment gives six variants on both targets, with similarities that can be recomputed") {
+TEST_CASE("the paper's experiment gives six variants on both targets, with similarities that can be recomputed") {
     const Folder folder;
     done(folder, paper + coarse + " --out r");
     for (const char* place : {"r", "r/heldout"}) {
@@ -24,10 +22,8 @@ TEST_CASE(
         CHECK(rows_of(folder / place / "scores.csv", "id,similarity,similarity_low,similarity_high").size() ==
               30); // five genomes of each of the six pairs
         std::set<std::string> names;
-        for (const auto& [name, variant] : result["variants"].items())
-            names.insert(name);
-        CHECK(names ==
-              std::set<std::string>{"sog", "gco", "cco", "sog-minimax", "gco-minimax", "cco-minimax"});
+        for (const auto& [name, variant] : result["variants"].items()) names.insert(name);
+        CHECK(names == std::set<std::string>{"sog", "gco", "cco", "sog-minimax", "gco-minimax", "cco-minimax"});
 
         rough::Model model;
         model.grid = {result["nodes"], result["length_mm"], false};
@@ -68,10 +64,9 @@ TEST_CASE("a run gives one result on 1, 2 and 5 threads") {
 
 TEST_CASE("variants of an experiment, written as text, run with the paper's") {
     const Folder folder;
-    const std::string own =
-        " --set paper.sweep-points=0 --set 'variants.mine=score | best 6 | repeat 2 { tournament 2 "
-        "| cross uniform | mutate 0.1 | score | refine lm 5 | elite 2 } | best 1'"
-        " --set 'variants.more=mine | refine minimax 3'";
+    const std::string own = " --set paper.sweep-points=0 --set 'variants.mine=score | best 6 | repeat 2 { tournament 2 "
+                            "| cross uniform | mutate 0.1 | score | refine lm 5 | elite 2 } | best 1'"
+                            " --set 'variants.more=mine | refine minimax 3'";
     const json variants = result_of(folder, paper + coarse + own)["variants"];
     CHECK(variants.size() == 8);
     CHECK(variants["more"]["similarity"] >= variants["mine"]["similarity"]);
@@ -80,8 +75,7 @@ TEST_CASE("variants of an experiment, written as text, run with the paper's") {
 
 TEST_CASE("a paper's run refuses a variant that draws genomes before it computes") {
     const Folder folder;
-    for (const char* text :
-         {"sample 40 | score | best 1", "score | repeat 2 { sample 4 sobol | score } | best 1"})
+    for (const char* text : {"sample 40 | score | best 1", "score | repeat 2 { sample 4 sobol | score } | best 1"})
         check_refused(rugosa(paper + " --pictures off --set 'variants.mine=" + text + "'", folder.path()),
                       "variants.mine: stage 'sample 4");
 }

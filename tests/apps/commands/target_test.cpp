@@ -20,8 +20,7 @@ TEST_CASE("formulas follow the rules of arithmetic") {
 
 TEST_CASE("a target from a formula, a genome or a scan is read back with its model") {
     const Folder folder;
-    done(folder,
-         "target --formula '0.3 + 0.8 * sqrt(p / 1.6e-4)' --to 1.6e-4 --points 10 --band 0.02 --out f.csv");
+    done(folder, "target --formula '0.3 + 0.8 * sqrt(p / 1.6e-4)' --to 1.6e-4 --points 10 --band 0.02 --out f.csv");
     const rough::Target made = rough::read_target(folder / "f.csv");
     CHECK(made.points() == 10);
     CHECK(made.y[9] == Approx(1.1));
@@ -34,8 +33,8 @@ TEST_CASE("a target from a formula, a genome or a scan is read back with its mod
                folder.path());
     CHECK(conducts.code == 3); // one node of the grid is stiffer
     CHECK_THAT(conducts.out, Catch::Contains("conductance_W_per_m2K") && !Catch::Contains("without effect"));
-    const rough::Target wanted = rough::read_target(
-        folder / "h.csv", {.effective_modulus = 5e4, .thermal_resistivity = 1 / 167.0 + 1 / 200.0});
+    const rough::Target wanted =
+        rough::read_target(folder / "h.csv", {.effective_modulus = 5e4, .thermal_resistivity = 1 / 167.0 + 1 / 200.0});
     CHECK(wanted.x[0] == Approx(0.1));
     CHECK(wanted.x[1] / wanted.x[0] == Approx(std::pow(50, 0.25)));
     CHECK(wanted.y[4] == Approx(3e4 * std::pow(5, 0.95) * 0.5e-3 * 5e4 * (1 / 167.0 + 1 / 200.0)));
@@ -44,10 +43,9 @@ TEST_CASE("a target from a formula, a genome or a scan is read back with its mod
 
     folder.write("g.json", genome_text(1e-3, 1, 1.6, {{1, {0.3}}, {2, {1}}, {3, {4}}}));
     for (const char* quantity : {"stiffness", "area", "area-displacement", "load", "interface_stiffness"}) {
-        done(folder, std::string("target --genome g.json --kernel periodic --quantity ") + quantity +
-                         " --out " + quantity + ".csv");
-        CHECK(rough::read_target(folder / (std::string(quantity) + ".csv")).recorded.at("kernel") ==
-              "periodic");
+        done(folder, std::string("target --genome g.json --kernel periodic --quantity ") + quantity + " --out " +
+                         quantity + ".csv");
+        CHECK(rough::read_target(folder / (std::string(quantity) + ".csv")).recorded.at("kernel") == "periodic");
     }
     const auto height = [](int i) { return 100 * std::sin(0.3 * i) + 30 * std::cos(1.1 * i); };
     folder.write("scan.txt", profile_text("x [um];z [nm]", 100, 1, height));
@@ -60,8 +58,8 @@ TEST_CASE("a target from a formula, a genome or a scan is read back with its mod
     done(folder, "target --like scan.txt --resolution off --out n.csv");
     CHECK(!rough::read_target(folder / "n.csv").has_band());
     folder.write("map.csv", "1;2;3\n4;9;6\n7;2;7\n");
-    for (const std::string source : {"--like map.csv --spacing 0.1x0.2", "--like map.csv --spacing 0.1",
-                                     "--genome g.json --nodes 8x6"}) {
+    for (const std::string source :
+         {"--like map.csv --spacing 0.1x0.2", "--like map.csv --spacing 0.1", "--genome g.json --nodes 8x6"}) {
         done(folder, "target " + source + " --quantity area --out map-target.csv --force");
         CHECK(rough::read_target(folder / "map-target.csv").recorded.contains("width_mm"));
     }
@@ -69,8 +67,7 @@ TEST_CASE("a target from a formula, a genome or a scan is read back with its mod
 
 TEST_CASE("a target is checked against its model, and reported if out of reach") {
     const Folder folder;
-    REQUIRE(rugosa("target --formula '0.9 - 0.3 * p / 1e-4' --to 1e-4 --out falls.csv", folder.path()).code ==
-            3);
+    REQUIRE(rugosa("target --formula '0.9 - 0.3 * p / 1e-4' --to 1e-4 --out falls.csv", folder.path()).code == 3);
     const Ended falls = rugosa("target --check falls.csv", folder.path());
     CHECK(falls.code == 3);
     CHECK(falls.out.find("falls from") != std::string::npos);

@@ -18,25 +18,20 @@ struct Work {
 
 /// Runs the program in a folder and kills it after `seconds`, if they are finite.
 Ended run_for(double seconds, const std::string& words, const fs::path& where) {
-    const std::string limit =
-        std::isfinite(seconds) ? "timeout -s KILL " + std::to_string(seconds + 1e-6) : "";
+    const std::string limit = std::isfinite(seconds) ? "timeout -s KILL " + std::to_string(seconds + 1e-6) : "";
     return rugosa(words, where, "RUGOSA_CHECKPOINTS=0 " + limit);
 }
 
 /// Whether a result is complete, or does not exist.
-bool whole_or_none(const fs::path& result) {
-    return !fs::exists(result) || json::accept(rough::read_whole(result));
-}
+bool whole_or_none(const fs::path& result) { return !fs::exists(result) || json::accept(rough::read_whole(result)); }
 
 std::vector<Work> all_work() {
     const std::string design =
-        "design --target '" RUGOSA_SOURCE
-        "/experiments/targets/drawn.csv' --nodes 64 --pictures off --seconds 600 "
+        "design --target '" RUGOSA_SOURCE "/experiments/targets/drawn.csv' --nodes 64 --pictures off --seconds 600 "
         "--pipeline 'shape 8 | score | best 4 | refine lm 4 | repeat 12 { tournament 2 | cross uniform | "
         "mutate 0.1 | score | refine lm 4 | elite 1 } | best 2 | score verified' --out o";
     const std::string run =
-        "run '" RUGOSA_SOURCE
-        "/experiments/paper/paper.ini' --pictures off --nodes 32 --set database.pairs=20 "
+        "run '" RUGOSA_SOURCE "/experiments/paper/paper.ini' --pictures off --nodes 32 --set database.pairs=20 "
         "--set paper.sweep-points=0 --set 'variants.own=score | best 5 | repeat 20 { tournament 2 | cross "
         "uniform | mutate 0.1 | score | elite 2 }' --out o";
     const std::string optimise = "optimise --genes bits:40 --evaluate \"'" +
@@ -78,10 +73,8 @@ long kill_and_resume(const Work& work, long kills) {
 
 } // namespace
 
-TEST_CASE("design, run, optimise and database build resume to the same result after being killed",
-          "[kills]") {
-    for (const Work& work : all_work())
-        kill_and_resume(work, 3);
+TEST_CASE("design, run, optimise and database build resume to the same result after being killed", "[kills]") {
+    for (const Work& work : all_work()) kill_and_resume(work, 3);
 }
 
 TEST_CASE("a design that is interrupted in its checks resumes to the same result") {
@@ -100,16 +93,14 @@ TEST_CASE("a design that is interrupted in its checks resumes to the same result
         const std::string sign = moment == in_tolerance ? "o/result.json" : "o/tolerance.cbor";
         const std::string stop = moment == in_tolerance ? "kill -HUP $child" : "kill -TERM $child";
         int code = 0;
-        for (int attempt = 0; attempt < 20 && code != 130;
-             ++attempt) { // the checks may end before the signal
+        for (int attempt = 0; attempt < 20 && code != 130; ++attempt) { // the checks may end before the signal
             fs::remove_all(folder / "o");
             code = disturbed(words + "--force ", folder.path(), "[ -s " + sign + " ]", stop).code;
         }
         REQUIRE(code == 130);
         CHECK(result_in(folder / "o")["interrupted"] == true);
         CHECK_FALSE(fs::exists(folder / "o/report.html"));
-        if (moment == before_damage)
-            folder.write("o/tolerance.cbor", "damaged");
+        if (moment == before_damage) folder.write("o/tolerance.cbor", "damaged");
         if (moment == after_tolerance) { // one draw less shows that it is read
             json content = ga::read_cbor(ga::opened(kept), kept);
             content["tolerance"]["draws"] = content["tolerance"]["draws"].get<int>() - 1;
@@ -122,10 +113,8 @@ TEST_CASE("a design that is interrupted in its checks resumes to the same result
         draws = draws.get<int>() - (moment == after_tolerance);
         CHECK(of_run(folder.path()) == expected);
         CHECK(fs::exists(folder / "o/report.html"));
-        CHECK(rough::read_whole(folder / "o/tolerance.csv") ==
-              rough::read_whole(undisturbed / "o/tolerance.csv"));
-        for (const char* const file : {"o/checkpoint.cbor", "o/tolerance.cbor"})
-            CHECK_FALSE(fs::exists(folder / file));
+        CHECK(rough::read_whole(folder / "o/tolerance.csv") == rough::read_whole(undisturbed / "o/tolerance.csv"));
+        for (const char* const file : {"o/checkpoint.cbor", "o/tolerance.cbor"}) CHECK_FALSE(fs::exists(folder / file));
     }
 }
 

@@ -27,8 +27,8 @@ std::map<std::string, std::string> left_by_commands(const std::locale& locale) {
              {"target", "--genome", in("genome.json"), "--out", in("target.csv")},
              {"target", "--formula", "0.3 + p / 1.6e-4", "--to", "1.6e-4", "--out", in("line.csv")},
              {"contact", "--profile", in("solid/heights.csv"), "--out", in("again.csv")},
-             {"design", "--target", in("target.csv"), "--nodes", "64", "--pictures", "off", "--out",
-              in("design"), "--pipeline", "sample 3 | score | refine lm 2 | best 1"}}) {
+             {"design", "--target", in("target.csv"), "--nodes", "64", "--pictures", "off", "--out", in("design"),
+              "--pipeline", "sample 3 | score | refine lm 2 | best 1"}}) {
         CHECK(run_part(app::commands(), words) != 2);
     }
     const std::regex measured("\"seconds\": [^\n]*");
@@ -49,7 +49,6 @@ TEST_CASE("the files do not depend on the decimal comma of a locale") {
     for (const auto& [name, content] : expected) {
         INFO(name);
         // Pages and accounts name their folder.
-        if (!content.empty() && content.find("rugosa-test-") == std::string::npos)
-            CHECK(found.at(name) == content);
+        if (!content.empty() && content.find("rugosa-test-") == std::string::npos) CHECK(found.at(name) == content);
     }
 }

@@ -29,9 +29,8 @@ TEST_CASE("a checkpoint without room on the disk is reported once, and the resul
     REQUIRE(whole.code != 2);
     // The limit is as many blocks as the result needs.
     const auto blocks = fs::file_size(folder / "whole/result.json") / 512 + 4;
-    const Ended full =
-        rugosa(design + "--out full", folder.path(),
-               keeping + "sh -c 'ulimit -f " + std::to_string(blocks) + "; exec \"$0\" \"$@\"'");
+    const Ended full = rugosa(design + "--out full", folder.path(),
+                              keeping + "sh -c 'ulimit -f " + std::to_string(blocks) + "; exec \"$0\" \"$@\"'");
     INFO(full.err);
     CHECK(full.code == whole.code);
     const std::string note = "checkpoint 'full/checkpoint.cbor' cannot be written";
@@ -42,8 +41,7 @@ TEST_CASE("a checkpoint without room on the disk is reported once, and the resul
     CHECK(found["variants"]["pipeline"]["notes"].size() == 1);
     found["variants"]["pipeline"]["notes"] = expected["variants"]["pipeline"]["notes"];
     CHECK(found == expected);
-    for (const auto& entry : fs::directory_iterator(folder / "full"))
-        CHECK(entry.path().extension() != ".tmp");
+    for (const auto& entry : fs::directory_iterator(folder / "full")) CHECK(entry.path().extension() != ".tmp");
 }
 
 TEST_CASE("a run whose folder is removed continues and writes its result to a new one") {
@@ -54,8 +52,7 @@ TEST_CASE("a run whose folder is removed continues and writes its result to a ne
     CHECK(gone.code == whole.code);
     CHECK_THAT(gone.out, Catch::Contains("cannot be written") && Catch::Contains("new"));
     auto found = timeless(result_in(folder / "o")), expected = timeless(result_in(folder / "whole"));
-    for (auto* result : {&found, &expected})
-        (*result)["variants"]["pipeline"].erase("notes");
+    for (auto* result : {&found, &expected}) (*result)["variants"]["pipeline"].erase("notes");
     CHECK(found == expected);
 }
 
@@ -63,14 +60,12 @@ TEST_CASE("a run whose folder is replaced by a link writes to its folder, not to
     const Folder folder;
     fs::create_directory(folder / "other");
     const std::vector<std::string> names{"result.json", "genome.json", "answer.csv", "checkpoint.cbor"};
-    for (const std::string& name : names)
-        folder.write("other/" + name, "precious");
+    for (const std::string& name : names) folder.write("other/" + name, "precious");
     const Ended ended = moved(folder, "mv o own; ln -s other o");
     INFO(ended.err);
     CHECK((ended.code == 0 || ended.code == 3));
     CHECK_THAT(ended.out, Catch::Contains("was moved") && Catch::Contains("own"));
-    for (const std::string& name : names)
-        CHECK(rough::read_whole(folder / "other" / name) == "precious");
+    for (const std::string& name : names) CHECK(rough::read_whole(folder / "other" / name) == "precious");
     CHECK(std::distance(fs::directory_iterator(folder / "other"), {}) == 4);
     CHECK(result_in(folder / "own").contains("variants"));
 }

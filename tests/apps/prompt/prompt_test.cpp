@@ -68,8 +68,7 @@ const std::vector<Wrong> wrong_uses{
     {"design --target recorded.csv",
      {"recorded.csv", "kernel strip (here free), length_mm 0.004 (here 0.84942", "strip_width_mm 1e-5",
       ": --kernel strip --length 0.004 --strip-width 1e-5\n"}},
-    {"target --check datum.csv",
-     {"length_mm 0.004", "datum_mm 0.004 (here", "depends on it: --length 0.004\n"}},
+    {"target --check datum.csv", {"length_mm 0.004", "datum_mm 0.004 (here", "depends on it: --length 0.004\n"}},
     {"design --target t.csv --out .", {"--out", "holds result.json", "--force"}},
     {"design --target t.csv --database g.json", {"g.json", "genome database"}},
     {"database bild", {"'bild'", "did you mean 'build'"}},
@@ -98,26 +97,20 @@ const std::vector<Wrong> wrong_uses{
 std::map<std::string, app::Command> every_command() {
     std::map<std::string, app::Command> all;
     for (const app::Command& command : app::commands()) {
-        if (command.parts.empty())
-            all.emplace(command.name, command);
-        for (const app::Command& part : command.parts)
-            all.emplace(command.name + " " + part.name, part);
+        if (command.parts.empty()) all.emplace(command.name, command);
+        for (const app::Command& part : command.parts) all.emplace(command.name + " " + part.name, part);
     }
     return all;
 }
 
 /// Values that a parameter does not take.
 std::vector<std::string> wrong_values(const app::Setting& setting) {
-    if (setting.is_switch || !setting.choices.empty())
-        return {"neither"};
-    if (setting.takes.is_text())
-        return {};
+    if (setting.is_switch || !setting.choices.empty()) return {"neither"};
+    if (setting.takes.is_text()) return {};
     std::vector<std::string> values{"word", "nan", "1e999"};
     for (const double beyond : {setting.takes.lower - 1, setting.takes.upper * 2})
-        if (std::isfinite(beyond) && !setting.takes.allows(beyond))
-            values.push_back(ga::number(beyond));
-    if (setting.takes.kind == ga::Parameter::Kind::whole)
-        values.push_back(ga::number(setting.takes.lower + 0.5));
+        if (std::isfinite(beyond) && !setting.takes.allows(beyond)) values.push_back(ga::number(beyond));
+    if (setting.takes.kind == ga::Parameter::Kind::whole) values.push_back(ga::number(setting.takes.lower + 0.5));
     return values;
 }
 
@@ -173,9 +166,8 @@ TEST_CASE("a wrong value is refused alike from a flag, a key and a keyword") {
 
 TEST_CASE("a model is the same from flags, keys, keywords and its stored form") {
     const std::map<std::string, std::string> given{
-        {"nodes", "77"},    {"length", "0.5"},    {"kernel", "strip"}, {"strip-width", "0.01"},
-        {"modulus", "200"}, {"poisson", "0.3"},   {"steps", "7"},      {"reach", "0.5"},
-        {"solver", "nnls"}, {"tolerance", "1e-8"}};
+        {"nodes", "77"},    {"length", "0.5"}, {"kernel", "strip"}, {"strip-width", "0.01"}, {"modulus", "200"},
+        {"poisson", "0.3"}, {"steps", "7"},    {"reach", "0.5"},    {"solver", "nnls"},      {"tolerance", "1e-8"}};
     std::vector<std::string> words;
     std::string ini = "[model]\n";
     for (const auto& [name, value] : given) {
@@ -186,10 +178,9 @@ TEST_CASE("a model is the same from flags, keys, keywords and its stored form") 
     folder.write("model.ini", ini);
     const nlohmann::json by_flags = model_from(app::read_command_line(words, app::model_settings()));
     CHECK(by_flags.at("body").at("effective_modulus") == Approx(200 / 0.91).epsilon(1e-15));
-    CHECK(by_flags == nlohmann::json(model_from(
-                          app::read_ini(folder / "model.ini", app::model_settings("model.")), "model.")));
     CHECK(by_flags ==
-          nlohmann::json(model_from(app::Settings(app::Settings::keywords, app::model_settings(), given))));
+          nlohmann::json(model_from(app::read_ini(folder / "model.ini", app::model_settings("model.")), "model.")));
+    CHECK(by_flags == nlohmann::json(model_from(app::Settings(app::Settings::keywords, app::model_settings(), given))));
     CHECK(by_flags == nlohmann::json(by_flags.get<rough::Model>()));
 }
 
@@ -201,8 +192,7 @@ TEST_CASE("wrong use ends with 2 and one line of place, problem and fix, without
         INFO("rugosa " << wrong.words);
         check_refused(ended, "rugosa: ");
         CHECK(ended.out.empty());
-        for (const std::string& part : wrong.named)
-            CHECK_THAT(ended.err, Catch::Contains(part));
+        for (const std::string& part : wrong.named) CHECK_THAT(ended.err, Catch::Contains(part));
         CHECK(std::none_of(ended.err.begin(), ended.err.end() - 1, [](char c) { return c >= 0 && c < ' '; }));
         CHECK(sorted(desk.names()) == before);
     }
@@ -225,8 +215,7 @@ TEST_CASE("every help page has a usage and examples with valid flags") {
                                                        {"report", " --out a --out b"}};
         const auto other = twice.find(command);
         for (const std::string& example : examples) {
-            if (command == "operators")
-                continue;
+            if (command == "operators") continue;
             const Ended taken = rugosa(example.substr(0, example.find("   (")) +
                                            (other == twice.end() ? " --force --force" : other->second),
                                        desk.path());

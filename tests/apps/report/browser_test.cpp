@@ -18,19 +18,18 @@ Look looked_at(const Folder& folder, std::string page, int width, bool dark) {
     page.insert(page.rfind("</body>"), "<script>" + probe + "</script>");
     folder.write("page.html", page);
     const auto file = folder.write(
-        "frame.html",
-        "<!doctype html><meta name=\"color-scheme\" content=\"light dark\"><pre id=\"probe\"></pre>"
-        "<script>onmessage=(event)=>probe.textContent=event.data</script>"
-        "<iframe src=\"page.html\" style=\"border:0;height:900px;width:" +
-            std::to_string(width) + "px\"></iframe>");
+        "frame.html", "<!doctype html><meta name=\"color-scheme\" content=\"light dark\"><pre id=\"probe\"></pre>"
+                      "<script>onmessage=(event)=>probe.textContent=event.data</script>"
+                      "<iframe src=\"page.html\" style=\"border:0;height:900px;width:" +
+                          std::to_string(width) + "px\"></iframe>");
     const std::string command =
         "timeout 120 chromium --headless --no-sandbox --disable-gpu --hide-scrollbars "
         "--enable-logging=stderr "
         "--host-resolver-rules='MAP * ~NOTFOUND' --user-data-dir='" +
         (folder / "browser").string() +
         "' --window-size=1400,1000 --virtual-time-budget=3000 --blink-settings=preferredColorScheme=" +
-        (dark ? "0" : "1") + " --dump-dom 'file://" + file.string() + "' >'" + (folder / "dom").string() +
-        "' 2>'" + (folder / "log").string() + "'";
+        (dark ? "0" : "1") + " --dump-dom 'file://" + file.string() + "' >'" + (folder / "dom").string() + "' 2>'" +
+        (folder / "log").string() + "'";
     REQUIRE(std::system(command.c_str()) == 0);
     const std::string dom = rough::read_whole(folder / "dom"), mark = "<pre id=\"probe\">";
     const std::size_t at = dom.find(mark);
@@ -42,8 +41,7 @@ Look looked_at(const Folder& folder, std::string page, int width, bool dark) {
     std::string console, line;
     std::istringstream log(rough::read_whole(folder / "log"));
     while (std::getline(log, line))
-        if (line.find("CONSOLE") != std::string::npos)
-            console += line + "\n";
+        if (line.find("CONSOLE") != std::string::npos) console += line + "\n";
     return {nlohmann::json::parse(told), console};
 }
 
@@ -66,21 +64,19 @@ std::string scan_text() {
 } // namespace
 
 TEST_CASE("every page is readable on a phone and a desktop, light and dark, and fetches nothing", "[long]") {
-    const PageCase made =
-        GENERATE(PageCase{"profile --profile scan.txt --lambda-c 0.08 --out r", "r/report.html", 2, 3},
-                 PageCase{"contact --profile scan.txt --out c.csv --report c.html", "c.html", 3, 6},
-                 PageCase{"run '" + experiments + "paper/paper.ini' --out r", "r/report.html", 11, 30},
-                 PageCase{"run '" + experiments +
-                              "compare/variants.ini' --set compare.curves=60 --set compare.seeds=1 --out r",
-                          "r/report.html", 4, 4},
-                 PageCase{"design --target '" + experiments +
-                              "targets/drawn.csv' --max-pressure 1.6e-4 --reach-similarity 0.9 "
-                              "--out r",
-                          "r/report.html", 2, 3},
-                 PageCase{"design --like scan.txt --pipeline 'sample 20 | score | best 3' --out r",
-                          "r/report.html", 2, 4},
-                 PageCase{"chart --quick --out r", "r/chart.html", 1, 12},
-                 PageCase{"stability --scene spike --out r", "r/stability.html", 0, 0});
+    const PageCase made = GENERATE(
+        PageCase{"profile --profile scan.txt --lambda-c 0.08 --out r", "r/report.html", 2, 3},
+        PageCase{"contact --profile scan.txt --out c.csv --report c.html", "c.html", 3, 6},
+        PageCase{"run '" + experiments + "paper/paper.ini' --out r", "r/report.html", 11, 30},
+        PageCase{"run '" + experiments + "compare/variants.ini' --set compare.curves=60 --set compare.seeds=1 --out r",
+                 "r/report.html", 4, 4},
+        PageCase{"design --target '" + experiments +
+                     "targets/drawn.csv' --max-pressure 1.6e-4 --reach-similarity 0.9 "
+                     "--out r",
+                 "r/report.html", 2, 3},
+        PageCase{"design --like scan.txt --pipeline 'sample 20 | score | best 3' --out r", "r/report.html", 2, 4},
+        PageCase{"chart --quick --out r", "r/chart.html", 1, 12},
+        PageCase{"stability --scene spike --out r", "r/stability.html", 0, 0});
     const Folder folder;
     folder.write("scan.txt", scan_text());
     INFO("rugosa " << made.command);

@@ -10,8 +10,7 @@ TEST_CASE("an unknown number is an empty cell") {
     table.row(std::nan(""), nullptr, 1.5);
     table.row(std::nan(""), 2, std::string("x"));
     CHECK(table.text() == "a,b,c\n,,1.5\n,2,x\n");
-    CHECK(app::csv({"a", "b"}, {Eigen::Vector2d(1, std::nan("")), Eigen::Vector2d(2, 3)}) ==
-          "a,b\n1,2\n,3\n");
+    CHECK(app::csv({"a", "b"}, {Eigen::Vector2d(1, std::nan("")), Eigen::Vector2d(2, 3)}) == "a,b\n1,2\n,3\n");
 }
 
 TEST_CASE("no word in a cell is a formula to a spreadsheet, and numbers stay numbers") {

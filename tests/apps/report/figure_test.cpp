@@ -16,8 +16,7 @@ using tests::Folder;
 namespace {
 
 FigureScript labelled(const std::string& label) {
-    return {.script =
-                "# A < B\nset xlabel arg noenhanced\nplot [1:2] x with linespoints lc rgb blue title 'a'\n",
+    return {.script = "# A < B\nset xlabel arg noenhanced\nplot [1:2] x with linespoints lc rgb blue title 'a'\n",
             .style = builtin_files().at("style.gp"),
             .argument = label,
             .name = "figure1"};
@@ -27,20 +26,19 @@ FigureScript labelled(const std::string& label) {
 
 TEST_CASE("a picture has the colours of the page, a description and unique ids") {
     const std::string svg = figure_svg(labelled("x"));
-    CHECK_THAT(svg, Catch::StartsWith("<svg role=\"img\" aria-label=\"A &lt; B\"") &&
-                        Catch::Contains("var(--blue)") && Catch::Contains("id='figure1gp") &&
-                        !Catch::Contains("rgb(  0, 114, 178)") && !Catch::Contains("id='gp"));
+    CHECK_THAT(svg, Catch::StartsWith("<svg role=\"img\" aria-label=\"A &lt; B\"") && Catch::Contains("var(--blue)") &&
+                        Catch::Contains("id='figure1gp") && !Catch::Contains("rgb(  0, 114, 178)") &&
+                        !Catch::Contains("id='gp"));
     CHECK_THAT(figure_document(labelled("x")), Catch::StartsWith("<?xml") && !Catch::Contains("var("));
 }
 
 TEST_CASE("a label shows as its text, even with special characters of gnuplot") {
     const Folder folder;
     const std::string harm = (folder / "harm").string();
-    for (const auto& [label, shown] :
-         {std::pair(std::string("'quoted"), std::string("'quoted")),
-          {"`touch " + harm + "`1", "`touch " + harm + "`1"},
-          {"\"; system 'touch " + harm + "'; \"", "\"; system 'touch " + harm + "'; \""},
-          {"$(date) @m {/Bold x} %s", "$(date) @m {/Bold x} %s"}}) {
+    for (const auto& [label, shown] : {std::pair(std::string("'quoted"), std::string("'quoted")),
+                                       {"`touch " + harm + "`1", "`touch " + harm + "`1"},
+                                       {"\"; system 'touch " + harm + "'; \"", "\"; system 'touch " + harm + "'; \""},
+                                       {"$(date) @m {/Bold x} %s", "$(date) @m {/Bold x} %s"}}) {
         INFO(label);
         CHECK_THAT(figure_svg(labelled(label)), Catch::Contains(">" + shown + "<"));
     }
@@ -68,8 +66,7 @@ TEST_CASE("no name of a folder or a table is a command, an option or a format fo
         };
         if (name.starts_with("<")) // gnuplot starts such a name of a table
             for (const auto& [file, content] : builtin_files())
-                if (file.ends_with(".gp") && file != "style.gp")
-                    draw(file, name + " " + name);
+                if (file.ends_with(".gp") && file != "style.gp") draw(file, name + " " + name);
         CHECK(std::filesystem::is_empty(inside));
         std::ofstream(inside / (name + ".csv"))
             << "pressure_MPa,contact_fraction,tangent_stiffness_MPa_per_mm\n1,0.1,3\n2,0.2,4\n";

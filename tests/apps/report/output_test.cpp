@@ -7,8 +7,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::string quick_design =
-    "design --target target.csv --nodes 128 --pipeline 'sample 2 | score | best 1' --out ";
+const std::string quick_design = "design --target target.csv --nodes 128 --pipeline 'sample 2 | score | best 1' --out ";
 
 /// A folder with a genome, a target and a scan.
 struct Desk : Folder {
@@ -24,12 +23,11 @@ struct Desk : Folder {
 TEST_CASE("a command overwrites no existing file in its folder") {
     const std::string experiment = RUGOSA_SOURCE "/experiments/";
     const Desk desk;
-    for (const std::string& words :
-         {std::string("profile genome.json --nodes 64 --out "), quick_design,
-          "run '" + experiment +
-              "paper/paper.ini' --pictures off --nodes 64 --set database.pairs=6 --set "
-              "paper.sweep-points=0 --out ",
-          std::string("stability --scene spike --out ")}) {
+    for (const std::string& words : {std::string("profile genome.json --nodes 64 --out "), quick_design,
+                                     "run '" + experiment +
+                                         "paper/paper.ini' --pictures off --nodes 64 --set database.pairs=6 --set "
+                                         "paper.sweep-points=0 --out ",
+                                     std::string("stability --scene spike --out ")}) {
         answered(rugosa(words + "first", desk.path()));
         for (const auto& entry : fs::directory_iterator(desk / "first")) {
             const std::string name = entry.path().filename().string();
@@ -40,8 +38,7 @@ TEST_CASE("a command overwrites no existing file in its folder") {
             else
                 theirs.write("o/" + name, "theirs");
             check_refused(rugosa(words + "o", theirs.path()), name);
-            if (!entry.is_directory())
-                CHECK(rough::read_whole(theirs / "o" / name) == "theirs");
+            if (!entry.is_directory()) CHECK(rough::read_whole(theirs / "o" / name) == "theirs");
             CHECK(std::distance(fs::directory_iterator(theirs / "o"), fs::directory_iterator{}) == 1);
         }
         fs::remove_all(desk / "first");
@@ -54,15 +51,14 @@ TEST_CASE("a file that a command reads is never overwritten, even with --force")
     desk.write("o/answer.csv", rough::read_whole(desk / "target.csv"));
     desk.write("o/heights.csv", rough::read_whole(desk / "scan.txt"));
     fs::create_symlink("genome.json", desk / "linked.json");
-    for (const auto& [words, input] :
-         {std::pair("contact --genome genome.json --out genome.csv", "genome.json"),
-          {"contact --genome genome.json --out genome.json", "genome.json"},
-          {"contact --genome genome.json --out linked.csv", "genome.json"},
-          {"contact --profile scan.txt --out scan.txt", "scan.txt"},
-          {"target --genome genome.json --out genome.json", "genome.json"},
-          {"design --target o/answer.csv --out o", "o/answer.csv"},
-          {"design --target target.csv,o/answer.csv --out o", "o/answer.csv"},
-          {"profile --profile o/heights.csv --out o", "o/heights.csv"}}) {
+    for (const auto& [words, input] : {std::pair("contact --genome genome.json --out genome.csv", "genome.json"),
+                                       {"contact --genome genome.json --out genome.json", "genome.json"},
+                                       {"contact --genome genome.json --out linked.csv", "genome.json"},
+                                       {"contact --profile scan.txt --out scan.txt", "scan.txt"},
+                                       {"target --genome genome.json --out genome.json", "genome.json"},
+                                       {"design --target o/answer.csv --out o", "o/answer.csv"},
+                                       {"design --target target.csv,o/answer.csv --out o", "o/answer.csv"},
+                                       {"profile --profile o/heights.csv --out o", "o/heights.csv"}}) {
         const std::string before = rough::read_whole(desk / input);
         check_refused(rugosa(std::string(words) + " --force", desk.path()), "is read here");
         CHECK(rough::read_whole(desk / input) == before);
@@ -87,11 +83,9 @@ TEST_CASE("a run is resumed only with the contents of files that it began with")
     rugosa(quick_design + "o", desk.path());
     change("target.csv");
     check_refused(rugosa(quick_design + "o --resume", desk.path()), "other input files");
-    desk.write(
-        "ones.sh",
-        "n=0; while read line; do n=$((n+1)); echo \"{\\\"id\\\":$n,\\\"objectives\\\":[1]}\"; done\n");
-    const std::string optimise =
-        "optimise --genes bits:9 --evaluate 'sh ones.sh' --threads 1 --out p --evaluations ";
+    desk.write("ones.sh",
+               "n=0; while read line; do n=$((n+1)); echo \"{\\\"id\\\":$n,\\\"objectives\\\":[1]}\"; done\n");
+    const std::string optimise = "optimise --genes bits:9 --evaluate 'sh ones.sh' --threads 1 --out p --evaluations ";
     succeeded(rugosa(optimise + "50", desk.path()));
     change("ones.sh");
     check_refused(rugosa(optimise + "90 --resume", desk.path()), "another run");

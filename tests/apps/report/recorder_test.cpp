@@ -9,15 +9,13 @@ TEST_CASE("a resumed run records the stages of an interrupted derived problem on
     const ga::Counters counters;
     const auto run = [&](const std::vector<std::pair<std::string, bool>>& events) {
         const auto observe = recorder(stages);
-        for (const auto& [path, derived] : events)
-            observe({path, {}, population, counters, 0, derived});
+        for (const auto& [path, derived] : events) observe({path, {}, population, counters, 0, derived});
     };
     run({{"v/sample.1", false}, {"v/independent.1/score.1", true}, {"v/independent.1/best.1", true}});
     run({{"v/independent.1/score.1", true}, {"v/independent.1/best.1", true}, {"v/independent.1", false}});
     run({{"v/score.1", false}});
     std::string paths;
-    for (const StageRecord& stage : stages)
-        paths += stage.path + " ";
+    for (const StageRecord& stage : stages) paths += stage.path + " ";
     CHECK(paths == "v/sample.1 v/independent.1/score.1 v/independent.1/best.1 v/independent.1 v/score.1 ");
 }
 

@@ -43,25 +43,23 @@ TEST_CASE("text from a file is escaped, and the page fetches nothing") {
     for (const std::string& address : found(page, "(?:href|src)=\"([^\"]*)\""))
         CHECK(address.find("//") == std::string::npos);
     std::set<std::string> ids;
-    for (const std::string& id : found(page, " id=[\"']([^\"']*)[\"']"))
-        CHECK(ids.insert(id).second);
+    for (const std::string& id : found(page, " id=[\"']([^\"']*)[\"']")) CHECK(ids.insert(id).second);
     CHECK(page_of(page_source(folder.path())) == folder / "report.html");
 }
 
 TEST_CASE("a user's file replaces a built-in template or figure") {
     const Folder folder, mine;
     folder.write("curve.json", profile_values().dump());
-    mine.write("profile.mustache",
-               "<h1>{{name}}</h1>{{#tables.a}}[{{x|2}} {{n|by}}]{{/tables.a}}{{{figures.f:q@row}}}"
-               "{{sides|by}}{{files|count}}{{^nothing}}none{{/nothing}}");
+    mine.write("profile.mustache", "<h1>{{name}}</h1>{{#tables.a}}[{{x|2}} {{n|by}}]{{/tables.a}}{{{figures.f:q@row}}}"
+                                   "{{sides|by}}{{files|count}}{{^nothing}}none{{/nothing}}");
     mine.write("f.gp", "# F\nset xlabel arg\nplot [0:1] x notitle\n");
     folder.write("curve-a.csv", "x,n\n0.123,7\n,\n");
     PageSource source = page_source(folder / "curve.json");
     source.values["sides"] = {20, 18.5};
     source.values["row"] = "z";
     const std::string page = render(source, {.templates = mine.path()});
-    CHECK_THAT(page, Catch::Contains("[0.12 7][ ]") && Catch::Contains("20 x 18.52none") &&
-                         Catch::Contains(">qz<") && Catch::Contains("</html>"));
+    CHECK_THAT(page, Catch::Contains("[0.12 7][ ]") && Catch::Contains("20 x 18.52none") && Catch::Contains(">qz<") &&
+                         Catch::Contains("</html>"));
     CHECK(page_of(source) == folder / "curve.html");
     for (const auto& [text, problem] : {std::pair("{{#a}}", "profile.mustache"),
                                         {"{{>profile}}", "must not include itself"},

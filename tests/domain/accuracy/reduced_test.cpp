@@ -29,19 +29,16 @@ Scene random_scene(std::mt19937_64& random) {
     scene.body.datum = paper_length * uniform(random, 0.3, 4);
     const bool periodic = scene.body.kernel == Kernel::periodic;
     scene.grid = {std::uniform_int_distribution<Index>(40, 160)(random), paper_length, periodic};
-    const Genome genome = random_genome(random, 1 + static_cast<int>(random() % 2), 1 + random() % 3,
-                                        paper_length, 4 * scene.grid.spacing());
+    const Genome genome = random_genome(random, 1 + static_cast<int>(random() % 2), 1 + random() % 3, paper_length,
+                                        4 * scene.grid.spacing());
     const double chance = uniform(random, 0.1, 0.6);
-    Genome reduced = filtered(genome, [&](std::size_t s, std::size_t c) {
-        return (s == 0 && c == 0) || uniform(random, 0, 1) > chance;
-    });
+    Genome reduced = filtered(
+        genome, [&](std::size_t s, std::size_t c) { return (s == 0 && c == 0) || uniform(random, 0, 1) > chance; });
     scene.whole = sample(genome, scene.grid);
     scene.reduced = sample(reduced, scene.grid);
     double all = 0, kept = 0;
-    for (const Wave& wave : waves(genome))
-        all += std::abs(wave.amplitude);
-    for (const Wave& wave : waves(reduced))
-        kept += std::abs(wave.amplitude);
+    for (const Wave& wave : waves(genome)) all += std::abs(wave.amplitude);
+    for (const Wave& wave : waves(reduced)) kept += std::abs(wave.amplitude);
     scene.dropped_amplitude = all - kept;
     scene.displacements = load_displacements(displacement_range(scene.whole, scene.body.kernel),
                                              {10, periodic ? 0.95 : 1}, scene.body.kernel);
@@ -53,15 +50,13 @@ constexpr Index side = 48;
 /// Ridges along y (or x), plus `share` times a roughness without direction.
 Profile ground(double share, bool along_y = true) {
     Grid grid{.nodes = side, .length = 1, .periodic = true};
-    const Profile line =
-        realised({.longest = 0.5, .shortest = 0.125, .rms_slope = 0.1, .is_2d = false}, grid, 3);
+    const Profile line = realised({.longest = 0.5, .shortest = 0.125, .rms_slope = 0.1, .is_2d = false}, grid, 3);
     grid.rows = side;
     grid.width = 1;
     Profile map = realised({.longest = 0.5, .shortest = 0.125, .rms_slope = 0.1}, grid, 4);
     map.heights *= share;
     for (Index j = 0; j < side; ++j)
-        for (Index i = 0; i < side; ++i)
-            map.heights[j * side + i] += line.heights[along_y ? i : j];
+        for (Index i = 0; i < side; ++i) map.heights[j * side + i] += line.heights[along_y ? i : j];
     return map;
 }
 
@@ -88,8 +83,7 @@ TEST_CASE("every kernel falls convexly from node to node, as the bounds need") {
                 }
         // On a circle: convex along every arc that does not pass the loaded node.
         const Eigen::VectorXd h = influence_column({Kernel::periodic}, {nodes});
-        for (Index i = 1; i < nodes; ++i)
-            CHECK(h[i - 1] - 2 * h[i] + h[(i + 1) % nodes] > 0);
+        for (Index i = 1; i < nodes; ++i) CHECK(h[i - 1] - 2 * h[i] + h[(i + 1) % nodes] > 0);
     }
 }
 
@@ -112,8 +106,7 @@ TEST_CASE("the whole profile's pressure is within the reduced profile's shifted 
             CHECK(bounds.lower[j] <= P[j] + rounding);
             CHECK(bounds.upper[j] >= P[j] - rounding);
             informative += bounds.lower[j] > 0 && std::isfinite(bounds.upper[j]);
-            if (window.width() > 0)
-                tightest = std::min(tightest, (bounds.upper[j] - P[j]) / P.maxCoeff());
+            if (window.width() > 0) tightest = std::min(tightest, (bounds.upper[j] - P[j]) / P.maxCoeff());
         }
     }
     CHECK(informative > steps / 3); // the bounds are not trivial
@@ -129,13 +122,10 @@ TEST_CASE("bounds from one curve are at least as wide as from shifted curves") {
         auto displacements = scene.displacements;
         const bool periodic = scene.body.kernel == Kernel::periodic;
         const double full = periodic ? displacement_range(scene.reduced, Kernel::periodic) : HUGE_VAL;
-        while (!displacements.empty() && displacements.back() > full)
-            displacements.pop_back();
+        while (!displacements.empty() && displacements.back() > full) displacements.pop_back();
         const auto count = static_cast<Index>(displacements.size());
-        if (count == 0)
-            continue;
-        if (displacements.back() - window.lowest < full)
-            displacements.push_back(displacements.back() - window.lowest);
+        if (count == 0) continue;
+        if (displacements.back() - window.lowest < full) displacements.push_back(displacements.back() - window.lowest);
         const ContactCurve curve = solve_contact(scene.reduced, scene.body, displacements);
         const Bounds bounds = pressure_bounds(curve.steps, count, window);
         const double rounding = 1e-10 * curve.steps.back().pressure;

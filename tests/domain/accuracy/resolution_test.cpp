@@ -56,15 +56,12 @@ Heights made(const std::string& kind, Index nodes, bool is_map, Index times, uns
     if (kind.starts_with("turned")) {
         const bool aligned = kind != "turned";
         const double feeds = aligned ? double(nodes) / 16 : std::floor(double(nodes) / 17);
-        z = every([&](double x, double y) {
-            return 4 * std::pow(nearest(feeds * x + (aligned ? 0 : y) - 0.5), 2);
-        });
+        z = every([&](double x, double y) { return 4 * std::pow(nearest(feeds * x + (aligned ? 0 : y) - 0.5), 2); });
         z += 0.02 * self_affine(0.8, 2);
     } else if (kind == "ground") { // with spikes
         z = white([&](double i, double j) {
-            return i + j == 0
-                       ? 0
-                       : std::exp(-std::hypot(i, 4 * j) * std::hypot(i, 4 * j) * 144 / double(nodes * nodes));
+            return i + j == 0 ? 0
+                              : std::exp(-std::hypot(i, 4 * j) * std::hypot(i, 4 * j) * 144 / double(nodes * nodes));
         });
         for (int spike = 0; spike < 4; ++spike) {
             const double at_x = normal(random), at_y = normal(random), width = 1.5 / double(nodes);
@@ -120,15 +117,13 @@ Heights with_crests(const std::string& kind, Index nodes, bool is_map, Index tim
     } else if (kind == "plateaus") {
         z *= 1 / z.maxCoeff();
         z = z.min(between(0, 0.7));
-        if (between(0, 1) < 0.5)
-            z += between(0, 0.01) * made("honed", nodes, is_map, times, seed) / 2e-3;
+        if (between(0, 1) < 0.5) z += between(0, 0.01) * made("honed", nodes, is_map, times, seed) / 2e-3;
     } else if (kind != "waves") {
-        const double feeds = std::floor(between(double(nodes) / 30, double(nodes) / 9)),
-                     phase = between(0, 1), top = between(0.2, 0.8), scatter = between(0, 0.1);
+        const double feeds = std::floor(between(double(nodes) / 30, double(nodes) / 9)), phase = between(0, 1),
+                     top = between(0.2, 0.8), scatter = between(0, 0.1);
         const int oblique = int(between(0, 3));
         std::vector<double> height;
-        for (int k = 0; k < int(feeds); ++k)
-            height.push_back(scatter * between(-1, 1));
+        for (int k = 0; k < int(feeds); ++k) height.push_back(scatter * between(-1, 1));
         const auto groove = [&](double u, double of) { // one of those whose lowest is left
             const double t = u - of, h = height[std::size_t(std::fmod(of + 4 * feeds, feeds))];
             return kind == "scallops" ? 4 * t * t + h : (1 + h) * (t < 0 ? -t / top : t / (1 - top));
@@ -148,8 +143,8 @@ Profile measured_at(const Heights& z, Index step, Index times, bool periodic) {
     const Index n = is_map || periodic ? z.rows() / step : (z.rows() - times) / step + 1;
     const Index first = cells ? step / 2 : 0;
     const double spacing = double(step) / double(z.rows());
-    return {z(Eigen::seqN(first, n, step), Eigen::seqN(is_map ? first : 0, is_map ? n : 1, step)).reshaped(),
-            spacing, is_map ? n : 1, is_map ? spacing : 0};
+    return {z(Eigen::seqN(first, n, step), Eigen::seqN(is_map ? first : 0, is_map ? n : 1, step)).reshaped(), spacing,
+            is_map ? n : 1, is_map ? spacing : 0};
 }
 
 /// Load steps whose truth a band contains, and the band's relative width at each load step.
@@ -160,8 +155,7 @@ struct Held {
     void add(const Held& other) {
         steps += other.steps, area += other.area, stiffness += other.stiffness;
         area_width.insert(area_width.end(), other.area_width.begin(), other.area_width.end());
-        stiffness_width.insert(stiffness_width.end(), other.stiffness_width.begin(),
-                               other.stiffness_width.end());
+        stiffness_width.insert(stiffness_width.end(), other.stiffness_width.begin(), other.stiffness_width.end());
     }
 };
 
@@ -172,8 +166,7 @@ Held held_by(const Heights& z, Index times, bool periodic, const std::string& na
     const Index nodes = z.rows() / times;
     const double length = double(is_map || periodic ? nodes : nodes - 1) / double(nodes);
     Model model{{nodes, length, periodic}, {periodic ? Kernel::periodic : Kernel::free}, {8, 0.4}};
-    if (is_map)
-        model.grid.rows = nodes, model.grid.width = length;
+    if (is_map) model.grid.rows = nodes, model.grid.width = length;
     model = completed(model);
     const Profile scan = measured_at(z, times, times, periodic);
     const Response measured = respond(scan, model);
@@ -181,31 +174,27 @@ Held held_by(const Heights& z, Index times, bool periodic, const std::string& na
     REQUIRE(band.is_computed());
     model.loading.pressures = {measured.pressure.begin(), measured.pressure.end()};
     const Response truth = respond(measured_at(z, 1, times, periodic), model);
-    const auto count = [&](const Eigen::VectorXd& low, const Eigen::VectorXd& value,
-                           const Eigen::VectorXd& high) {
+    const auto count = [&](const Eigen::VectorXd& low, const Eigen::VectorXd& value, const Eigen::VectorXd& high) {
         return (low.array() <= value.array() && value.array() <= high.array()).count();
     };
-    const auto width = [](const Eigen::VectorXd& low, const Eigen::VectorXd& value,
-                          const Eigen::VectorXd& high) {
+    const auto width = [](const Eigen::VectorXd& low, const Eigen::VectorXd& value, const Eigen::VectorXd& high) {
         const Eigen::VectorXd widths = (high - low).cwiseQuotient(value);
         return std::vector<double>(widths.begin(), widths.end());
     };
     const auto counted = [&](const Response& response) {
-        return Held{
-            response.steps(),
-            count(band.contact_fraction_low, response.contact_fraction, band.contact_fraction_high),
-            count(band.tangent_stiffness_low, response.tangent_stiffness, band.tangent_stiffness_high),
-            width(band.contact_fraction_low, response.contact_fraction, band.contact_fraction_high),
-            width(band.tangent_stiffness_low, response.tangent_stiffness, band.tangent_stiffness_high)};
+        return Held{response.steps(),
+                    count(band.contact_fraction_low, response.contact_fraction, band.contact_fraction_high),
+                    count(band.tangent_stiffness_low, response.tangent_stiffness, band.tangent_stiffness_high),
+                    width(band.contact_fraction_low, response.contact_fraction, band.contact_fraction_high),
+                    width(band.tangent_stiffness_low, response.tangent_stiffness, band.tangent_stiffness_high)};
     };
     CHECK(counted(measured).area == measured.steps());
     CHECK(counted(measured).stiffness == measured.steps());
     if (!name.empty()) {
         const Index last = measured.steps() - 1;
-        const auto cells = [&](double factor, const auto& value, const auto& low, const auto& high,
-                               const auto& right) {
-            std::cout << " | " << factor * value[last] << " (" << factor * low[last] << " to "
-                      << factor * high[last] << ") | " << factor * right[last];
+        const auto cells = [&](double factor, const auto& value, const auto& low, const auto& high, const auto& right) {
+            std::cout << " | " << factor * value[last] << " (" << factor * low[last] << " to " << factor * high[last]
+                      << ") | " << factor * right[last];
         };
         std::cout << "| " << name << std::setprecision(3);
         cells(100, measured.contact_fraction, band.contact_fraction_low, band.contact_fraction_high,
@@ -226,8 +215,7 @@ void check_bands(Index line_nodes, Index map_nodes, unsigned seeds) {
             for (unsigned seed = 0; seed < 2 * seeds; ++seed) {
                 const bool periodic = (seed + kind.size()) % 2 == 0;
                 const Index times = finest(is_map, periodic);
-                of_kind.add(held_by(made(kind, is_map ? map_nodes : line_nodes, is_map, times, seed), times,
-                                    periodic,
+                of_kind.add(held_by(made(kind, is_map ? map_nodes : line_nodes, is_map, times, seed), times, periodic,
                                     seeds > 1 && seed == 0 ? (is_map ? "map, " : "line, ") + kind : ""));
             }
             if (seeds > 1)
@@ -251,17 +239,15 @@ void check_crests(unsigned surfaces) {
             all.add(held_by(with_crests(kind, is_map ? 32 : 256, is_map, times, seed), times, periodic));
         }
         const auto median = [](std::vector<double> values) {
-            std::nth_element(values.begin(), values.begin() + std::ptrdiff_t(values.size() / 2),
-                             values.end());
+            std::nth_element(values.begin(), values.begin() + std::ptrdiff_t(values.size() / 2), values.end());
             return values[values.size() / 2];
         };
         std::ostringstream row;
-        row << "| " << kind << std::setprecision(3) << " | " << 100. * double(all.area) / double(all.steps)
-            << " % | " << 100. * double(all.stiffness) / double(all.steps) << " % | "
-            << 100 * median(all.area_width) << " % | " << 100 * median(all.stiffness_width) << " % |\n";
+        row << "| " << kind << std::setprecision(3) << " | " << 100. * double(all.area) / double(all.steps) << " % | "
+            << 100. * double(all.stiffness) / double(all.steps) << " % | " << 100 * median(all.area_width) << " % | "
+            << 100 * median(all.stiffness_width) << " % |\n";
         INFO(row.str());
-        if (surfaces > 10)
-            std::cout << row.str();
+        if (surfaces > 10) std::cout << row.str();
         CHECK(10 * all.area >= 9 * all.steps);
         CHECK(10 * all.stiffness >= 9 * all.steps);
     }
@@ -299,8 +285,7 @@ TEST_CASE("finer heights keep the nodes and are exact for straight lines") {
         }
     const Profile slope = profile_of({0, 1, 2, 3, 4, 5}, 0.1);
     for (const Interpolation by : {Interpolation::linear, Interpolation::spline, Interpolation::kinked})
-        CHECK((finer(slope, 4, by).heights - Eigen::VectorXd::LinSpaced(21, 0, 5)).cwiseAbs().maxCoeff() <
-              1e-12);
+        CHECK((finer(slope, 4, by).heights - Eigen::VectorXd::LinSpaced(21, 0, 5)).cwiseAbs().maxCoeff() < 1e-12);
     for (const double nodes : {3., 4., 5., 9.}) { // splines are exact for parabolas
         const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(Index(nodes), 0, nodes - 1),
                               at = Eigen::VectorXd::LinSpaced(Index(4 * nodes - 3), 0, nodes - 1);
@@ -310,9 +295,7 @@ TEST_CASE("finer heights keep the nodes and are exact for straight lines") {
     // The crest of two parabolas is found between nodes, from above as from below.
     for (const double crest : {6., 6.25, 6.5, 6.9})
         for (const double bend : {0., 0.02, -0.02}) {
-            const auto height = [=](double x) {
-                return -0.5 * std::abs(x - crest) + bend * std::pow(x - crest, 2);
-            };
+            const auto height = [=](double x) { return -0.5 * std::abs(x - crest) + bend * std::pow(x - crest, 2); };
             const Profile cusp{Eigen::VectorXd::LinSpaced(14, 0, 13).unaryExpr(height), 1};
             CHECK(std::abs(finer(cusp, 20, Interpolation::kinked).heights.maxCoeff()) < 1e-5);
         }
@@ -320,8 +303,7 @@ TEST_CASE("finer heights keep the nodes and are exact for straight lines") {
     const Profile plane{Eigen::VectorXd::LinSpaced(4, 0, 3).replicate(3, 1), 1, 3, 1};
     for (const Interpolation by : {Interpolation::linear, Interpolation::spline}) {
         const Profile fine = finer(plane, 3, by);
-        CHECK((fine.heights - Eigen::VectorXd::LinSpaced(12, -1. / 3, 10. / 3).replicate(9, 1)).norm() <
-              1e-12);
+        CHECK((fine.heights - Eigen::VectorXd::LinSpaced(12, -1. / 3, 10. / 3).replicate(9, 1)).norm() < 1e-12);
     }
     CHECK_THROWS_WITH(finer(plane, 4, Interpolation::linear), Catch::Contains("odd"));
     // Splines do not oscillate at a jump at the ends of a periodic surface.
@@ -340,9 +322,7 @@ TEST_CASE("the bands of 96 band-limited surfaces hold the curves of eight times 
 TEST_CASE("the bands of five surfaces of each of six classes of crests hold the truth") { check_crests(5); }
 
 // Printed for the README.
-TEST_CASE("the bands of 50 surfaces of each of six classes of crests hold the truth", "[long]") {
-    check_crests(50);
-}
+TEST_CASE("the bands of 50 surfaces of each of six classes of crests hold the truth", "[long]") { check_crests(50); }
 
 TEST_CASE("the band of a smooth cap shrinks with the spacing") {
     double before = 1;
@@ -381,8 +361,7 @@ TEST_CASE("a cap's elastic end is at the load at which Hertz reaches the hardnes
 
 TEST_CASE("outliers on a flat top cost the contact that the top would have") {
     Profile clean = parabola(400);
-    for (Index i = 0; i < 400; ++i)
-        clean.heights[i] += 1e-5 * std::sin(7. * double(i));
+    for (Index i = 0; i < 400; ++i) clean.heights[i] += 1e-5 * std::sin(7. * double(i));
     Profile spiked = clean;
     spiked.heights[100] = 0.02;
     Model model{.grid = {400, 1}, .loading = {.to_pressure = 1e-4}};
@@ -391,9 +370,8 @@ TEST_CASE("outliers on a flat top cost the contact that the top would have") {
     CHECK(cost.matters());
     model.loading = {.pressures = {with.pressure.begin(), with.pressure.end()}};
     const Response without = respond(clean, completed(model));
-    CHECK(
-        cost.contact_fraction ==
-        Approx((without.contact_fraction.array() / with.contact_fraction.array()).maxCoeff()).epsilon(0.05));
+    CHECK(cost.contact_fraction ==
+          Approx((without.contact_fraction.array() / with.contact_fraction.array()).maxCoeff()).epsilon(0.05));
     CHECK(!outlier_cost(clean, {0}, completed(model), without).matters());
 }
 

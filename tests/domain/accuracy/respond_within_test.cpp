@@ -56,13 +56,11 @@ Coverage coverage_of(unsigned first, unsigned count, double accuracy, int steps,
         std::mt19937_64 random(seed);
         const auto scan = ::testing::random_scan(random, static_cast<int>(seed), least, most);
         Model model = model_for(scan.profile, static_cast<Kernel>(seed / 8 % 3), steps);
-        if (seed % 2 == 1)
-            model.loading.to_pressure = 0.3 * respond(scan.profile, model).pressure.tail(1)[0];
+        if (seed % 2 == 1) model.loading.to_pressure = 0.3 * respond(scan.profile, model).pressure.tail(1)[0];
         const ReportedResponse exact = respond_within(scan.profile, model);
         const ReportedResponse cheap = scan_within(scan.profile, model, accuracy);
         const double error = relative_error(cheap.response.pressure, exact.response.pressure);
-        const double area_error =
-            largest_relative(cheap.response.contact_fraction, exact.response.contact_fraction);
+        const double area_error = largest_relative(cheap.response.contact_fraction, exact.response.contact_fraction);
         const double tangent_error =
             largest_relative(cheap.response.tangent_stiffness, exact.response.tangent_stiffness);
         INFO(scan.kind << ", seed " << seed << ", error " << error << ", area " << area_error << ", tangent "
@@ -76,8 +74,8 @@ Coverage coverage_of(unsigned first, unsigned count, double accuracy, int steps,
         result.worst = std::max(result.worst, error / accuracy);
         result.steps += cheap.account.solved_rows;
         result.exact_steps += exact.account.solved_rows;
-        result.most_work = std::max(result.most_work, static_cast<double>(cheap.account.solved_rows) /
-                                                          exact.account.solved_rows);
+        result.most_work =
+            std::max(result.most_work, static_cast<double>(cheap.account.solved_rows) / exact.account.solved_rows);
     }
     return result;
 }
@@ -120,22 +118,19 @@ CurvesHeld held_by(unsigned first, unsigned count, double accuracy) {
 /// A periodic map: a genome, a self-affine surface with noise, or ridges with little roughness across.
 Profile random_map(std::mt19937_64& random, unsigned kind, const Grid& grid) {
     if (kind == 0)
-        return sample(random_genome(random, 1 + static_cast<int>(random() % 2), 2 + random() % 7, grid.length,
-                                    grid.length / 8),
-                      grid);
+        return sample(
+            random_genome(random, 1 + static_cast<int>(random() % 2), 2 + random() % 7, grid.length, grid.length / 8),
+            grid);
     const auto hurst = rough::testing::uniform(random, 0.2, 0.95);
-    Profile map =
-        realised({.hurst = hurst, .longest = 0.5, .shortest = 0.1, .rms_slope = 0.1}, grid, random());
+    Profile map = realised({.hurst = hurst, .longest = 0.5, .shortest = 0.1, .rms_slope = 0.1}, grid, random());
     const double noise = 0.01 * map.heights.maxCoeff();
     if (kind == 1)
-        for (double& z : map.heights)
-            z += noise * std::normal_distribution<double>()(random);
+        for (double& z : map.heights) z += noise * std::normal_distribution<double>()(random);
     else
         map.heights *= std::pow(10, rough::testing::uniform(random, -6, -2));
     const Profile line = realised({.longest = 0.5, .shortest = 0.125, .rms_slope = 0.1, .is_2d = false},
                                   {grid.nodes, grid.length, true}, random());
-    for (Index j = 0; kind == 2 && j < grid.rows; ++j)
-        map.heights.segment(j * grid.nodes, grid.nodes) += line.heights;
+    for (Index j = 0; kind == 2 && j < grid.rows; ++j) map.heights.segment(j * grid.nodes, grid.nodes) += line.heights;
     return map;
 }
 
@@ -145,40 +140,36 @@ std::array<CurvesHeld, 2> maps_held_by(unsigned first, unsigned count, double ac
     std::array<CurvesHeld, 2> all;
     for (unsigned seed = first; seed < first + count; ++seed) {
         std::mt19937_64 random(seed);
-        const Index nodes = 32 + static_cast<Index>(random() % 65),
-                    rows = 32 + static_cast<Index>(random() % 65);
+        const Index nodes = 32 + static_cast<Index>(random() % 65), rows = 32 + static_cast<Index>(random() % 65);
         const bool periodic = seed % 2 == 0;
-        const Profile map = random_map(
-            random, seed / 2 % 3, {.nodes = nodes, .length = 1, .periodic = true, .rows = rows, .width = 1});
+        const Profile map =
+            random_map(random, seed / 2 % 3, {.nodes = nodes, .length = 1, .periodic = true, .rows = rows, .width = 1});
         Model model;
         model.body.kernel = periodic ? Kernel::periodic : Kernel::free;
         model.grid = {nodes, map.spacing * static_cast<double>(nodes - !periodic),   periodic, 0,
                       rows,  map.row_spacing * static_cast<double>(rows - !periodic)};
         model.loading = {20, rough::testing::uniform(random, 0.1, 0.9)};
         model.contact.tolerance = 1e-10;
-        if (seed % 4 < 2)
-            model.loading.to_pressure = 0.5 * respond(map, model).pressure.tail(1)[0];
+        if (seed % 4 < 2) model.loading.to_pressure = 0.5 * respond(map, model).pressure.tail(1)[0];
         const Response exact = respond(map, model);
-        model.contact = {
-            .solver = std::array{Solver::automatic, Solver::polonsky_keer, Solver::active_set}[seed / 6 % 3],
-            .tolerance = 1};
+        model.contact = {.solver =
+                             std::array{Solver::automatic, Solver::polonsky_keer, Solver::active_set}[seed / 6 % 3],
+                         .tolerance = 1};
         const auto [cheap, account, contact] = respond_within(map, within(model, accuracy));
         const ErrorScale scale = error_scale(exact.pressure, account.light_rows > 0 ? light_load : 0);
         const Eigen::VectorXd off = cheap.pressure - exact.pressure;
-        const double pressure =
-            std::max(off.cwiseQuotient(scale.pressure).cwiseAbs().maxCoeff(),
-                     differences(off).cwiseQuotient(scale.difference).cwiseAbs().maxCoeff());
+        const double pressure = std::max(off.cwiseQuotient(scale.pressure).cwiseAbs().maxCoeff(),
+                                         differences(off).cwiseQuotient(scale.difference).cwiseAbs().maxCoeff());
         const auto holds = [](double error, double stated) { return !(error > stated + 1e-9); };
         const Eigen::ArrayXd K_i = interface_stiffness(cheap), exact_K_i = interface_stiffness(exact),
                              allowed = account.tangent_error * K_i / cheap.tangent_stiffness.array() + 1e-9;
         CurvesHeld& held = all[account.by_line];
         ++held.curves;
         held.pressure += holds(pressure, account.estimated_error);
-        held.area +=
-            holds(largest_relative(cheap.contact_fraction, exact.contact_fraction), account.area_error);
-        held.tangent += holds(largest_relative(cheap.tangent_stiffness, exact.tangent_stiffness),
-                              account.tangent_error) &&
-                        !((K_i / exact_K_i - 1).abs() > allowed).any();
+        held.area += holds(largest_relative(cheap.contact_fraction, exact.contact_fraction), account.area_error);
+        held.tangent +=
+            holds(largest_relative(cheap.tangent_stiffness, exact.tangent_stiffness), account.tangent_error) &&
+            !((K_i / exact_K_i - 1).abs() > allowed).any();
     }
     return all;
 }
@@ -199,8 +190,7 @@ TEST_CASE("extrapolation is exact on a line and doubts scattered values") {
     const Eigen::Vector3d end(1, 2.5, 5), slope(30, -20, 50);
     Eigen::MatrixXd values(3, 4);
     for (Index i = 0; i < 4; ++i)
-        values.col(i) =
-            end + slope * (std::pow(grids[static_cast<std::size_t>(i)], -1.5) - std::pow(4097, -1.5));
+        values.col(i) = end + slope * (std::pow(grids[static_cast<std::size_t>(i)], -1.5) - std::pow(4097, -1.5));
     const Extrapolation clean = extrapolate(grids, values, 4097);
     CHECK((clean.pressure - end).cwiseAbs().maxCoeff() < 1e-12);
     CHECK(clean.doubt.pressure.isApprox(2.3 * (values.col(3) - end).cwiseAbs(), 1e-9));
@@ -219,8 +209,7 @@ TEST_CASE("interpolated rows are within their bound on every kernel") {
         const Grid grid{200, paper_length, kernel == Kernel::periodic};
         const Profile profile = sample(random_genome(random, 1, 1, paper_length, 12 * grid.spacing()), grid);
         const Body body{.kernel = kernel, .strip_width = paper_length / 511};
-        const auto displacements =
-            load_displacements(displacement_range(profile, kernel), {1500, 0.9}, kernel);
+        const auto displacements = load_displacements(displacement_range(profile, kernel), {1500, 0.9}, kernel);
         const LoadRows exact = solve_rows(profile, body, displacements, {});
         CHECK(exact.solved == 1500);
         CHECK(exact.error == 0);
@@ -264,8 +253,7 @@ TEST_CASE("a smooth wave needs few nodes, and tiny shorter waves are omitted wit
     const ReportedResponse smooth = respond_within(genome, within(model_on(Kernel::free, genome), 1e-2));
     CHECK(smooth.account.extrapolated());
     CHECK(smooth.account.grids.back() <= 512);
-    for (int n = 2; n <= 12; ++n)
-        genome.series[0].chromosomes.push_back({n, {0.1 * n}});
+    for (int n = 2; n <= 12; ++n) genome.series[0].chromosomes.push_back({n, {0.1 * n}});
     genome.series[0].H = 3; // the short waves are next to nothing
     const Model model = model_on(Kernel::free, genome);
     const ReportedResponse cheap = respond_within(genome, within(model, 1e-2));
@@ -277,8 +265,7 @@ TEST_CASE("a smooth wave needs few nodes, and tiny shorter waves are omitted wit
 
 TEST_CASE("the resolved model is solved if no coarser grid suffices, or no accuracy is set") {
     std::mt19937_64 random(24);
-    const Genome genome =
-        random_genome(random, 1, 1, paper_length, paper_length / 511); // waves down to the spacing
+    const Genome genome = random_genome(random, 1, 1, paper_length, paper_length / 511); // waves down to the spacing
     for (const double accuracy : {1e-4, 0.0}) {
         const ReportedResponse found = respond_within(genome, within({}, accuracy));
         CHECK_FALSE(found.account.extrapolated());
@@ -324,8 +311,7 @@ TEST_CASE("a scan within an accuracy carries the given pressures at any solver's
     model.loading = {.pressures = {0.01 * highest, 0.2 * highest, 0.4 * highest}};
     const ReportedResponse found = scan_within(scan, model, 1e-3);
     for (std::size_t j = 0; j < 3; ++j)
-        CHECK(found.response.pressure[static_cast<Index>(j)] ==
-              Approx(model.loading.pressures[j]).epsilon(1e-4));
+        CHECK(found.response.pressure[static_cast<Index>(j)] == Approx(model.loading.pressures[j]).epsilon(1e-4));
     CHECK(found.account.rows == 3);
 }
 
@@ -343,11 +329,9 @@ TEST_CASE("stated errors of genomes' curves hold against eight times the nodes")
 TEST_CASE("stated errors of 95 % of 500 genomes' curves hold against eight times the nodes", "[long]") {
     for (const double accuracy : {1e-5, 1e-2, 3e-2, 1e-1}) {
         const CurvesHeld held = held_by(100000, 500, accuracy);
-        std::cout << "accuracy " << accuracy << ": held in " << held.pressure << " (pressure, secant), "
-                  << held.area << " (contact fraction), " << held.tangent << " (tangent) of " << held.curves
-                  << "\n";
-        for (const int each : {held.pressure, held.area, held.tangent})
-            CHECK(each >= 0.95 * held.curves);
+        std::cout << "accuracy " << accuracy << ": held in " << held.pressure << " (pressure, secant), " << held.area
+                  << " (contact fraction), " << held.tangent << " (tangent) of " << held.curves << "\n";
+        for (const int each : {held.pressure, held.area, held.tangent}) CHECK(each >= 0.95 * held.curves);
     }
 }
 
@@ -360,8 +344,7 @@ TEST_CASE("stated errors of 95 % of 300 maps' curves hold at every load step", "
                       << held.pressure << " (pressure, secant), " << held.area << " (contact fraction), "
                       << held.tangent << " (tangent, interface) of " << held.curves << "\n";
             CHECK(held.curves > 20);
-            for (const int each : {held.pressure, held.area, held.tangent})
-                CHECK(each >= 0.95 * held.curves);
+            for (const int each : {held.pressure, held.area, held.tangent}) CHECK(each >= 0.95 * held.curves);
         }
     }
 }
@@ -371,8 +354,8 @@ TEST_CASE("estimated errors of 98 % of 500 scans hold, at no more cost than exac
     for (const double accuracy : {1e-2, 1e-3}) {
         const Coverage found = coverage_of(7200000, 500, accuracy, 20, 500, 4000);
         std::cout << "accuracy " << accuracy << ": covered " << found.covered << " of " << found.scans
-                  << ", worst error " << found.worst << " accuracies; load steps solved " << found.steps
-                  << " of " << found.exact_steps << ", at most " << found.most_work << " of a scan's\n";
+                  << ", worst error " << found.worst << " accuracies; load steps solved " << found.steps << " of "
+                  << found.exact_steps << ", at most " << found.most_work << " of a scan's\n";
         CHECK(found.covered >= 0.98 * found.scans);
         CHECK(found.worst < 3);
         CHECK(found.most_work <= 1.2);

@@ -35,15 +35,13 @@ inline NamedScan random_scan(std::mt19937_64& random, int which, rough::Index le
     };
     const auto single_nodes = [&](int count, double sign) {
         for (int k = 0; k < count; ++k)
-            z[std::uniform_int_distribution<rough::Index>(0, n - 1)(random)] +=
-                sign * (1 + 5 * uniform(random));
+            z[std::uniform_int_distribution<rough::Index>(0, n - 1)(random)] += sign * (1 + 5 * uniform(random));
     };
     const auto at_each = [&](auto height) {
-        for (rough::Index i = 0; i < n; ++i)
-            z[i] = height(cycle(i));
+        for (rough::Index i = 0; i < n; ++i) z[i] = height(cycle(i));
     };
-    scan.kind = std::array{"steps", "saw", "Gaussian", "noise", "burrs", "honed", "turned", "spikes"}
-        [static_cast<unsigned>(which) % 8];
+    scan.kind = std::array{
+        "steps", "saw", "Gaussian", "noise", "burrs", "honed", "turned", "spikes"}[static_cast<unsigned>(which) % 8];
     switch (which % 8) {
     case 0:
         at_each([&](double place) { return (place < 0.3) + 0.01 * normal(random); });

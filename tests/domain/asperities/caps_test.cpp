@@ -13,10 +13,8 @@ constexpr double modulus = 1.36, radius = 0.526;
 Caps random_caps(const CapArray& array, std::uint64_t seed) {
     ga::Stream random(seed);
     Caps caps{array, Eigen::VectorXd(array.caps()), Eigen::VectorXd(array.caps())};
-    for (double& height : caps.heights)
-        height = random.uniform(0, 0.12);
-    for (double& each : caps.radii)
-        each = random.uniform(0.1, 0.53);
+    for (double& height : caps.heights) height = random.uniform(0, 0.12);
+    for (double& each : caps.radii) each = random.uniform(0.1, 0.53);
     return caps;
 }
 
@@ -45,8 +43,8 @@ TEST_CASE("pressed caps satisfy their equations and carry the load") {
         double depth = caps.heights[i] - pressed.plane;
         for (Index j = 0; j < array.caps(); ++j)
             if (j != i)
-                depth -= pressed.force[j] / (std::numbers::pi * modulus *
-                                             std::hypot(array.x(i) - array.x(j), array.y(i) - array.y(j)));
+                depth -= pressed.force[j] /
+                         (std::numbers::pi * modulus * std::hypot(array.x(i) - array.x(j), array.y(i) - array.y(j)));
         CHECK(pressed.indentation[i] == Approx(depth).margin(1e-13));
         CHECK((pressed.force[i] > 0) == (depth > 0));
     }
@@ -85,8 +83,7 @@ TEST_CASE("derivatives of pressed caps equal differences") {
                     const Eigen::Vector3d difference = (values(up) - values(down)) / (2 * h);
                     const CapSlope* const all[] = {&slopes.load, &slopes.area, &slopes.stiffness};
                     for (int q = 0; q < 3; ++q)
-                        CHECK(std::abs(difference[q] - (all[q]->*by)[i]) <=
-                              1e-6 * (all[q]->*by).cwiseAbs().maxCoeff());
+                        CHECK(std::abs(difference[q] - (all[q]->*by)[i]) <= 1e-6 * (all[q]->*by).cwiseAbs().maxCoeff());
                 }
         }
 }

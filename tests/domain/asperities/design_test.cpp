@@ -17,8 +17,7 @@ template <class Law>
 Target target_of(const CapSetup& setup, double from, double to, Law law) {
     const double nominal = setup.array.nominal_area();
     const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(8, from, to) / nominal;
-    return {Quantity::area_at_pressure, "", x,
-            x.unaryExpr([&](double p) { return law(p * nominal) / nominal; })};
+    return {Quantity::area_at_pressure, "", x, x.unaryExpr([&](double p) { return law(p * nominal) / nominal; })};
 }
 
 CapGenome random_genome(CapSetup setup, std::uint64_t seed) {
@@ -37,24 +36,22 @@ Target hidden_law(const CapSetup& setup, std::uint64_t seed) {
 }
 
 bool is_on_steps(const CapSetup& setup, const CapGenome& genome) {
-    return std::ranges::all_of(
-        genome, [&](double height) { return std::abs(height - setup.heights.nearest(height)) < 1e-12; });
+    return std::ranges::all_of(genome,
+                               [&](double height) { return std::abs(height - setup.heights.nearest(height)) < 1e-12; });
 }
 
 } // namespace
 
 TEST_CASE("derivatives of every target of caps equal differences") {
     for (const CapModel model : {CapModel::independent, CapModel::interacting})
-        for (const Quantity quantity :
-             {Quantity::stiffness, Quantity::area_at_pressure, Quantity::area_at_displacement,
-              Quantity::load_at_displacement, Quantity::interface_stiffness}) {
+        for (const Quantity quantity : {Quantity::stiffness, Quantity::area_at_pressure, Quantity::area_at_displacement,
+                                        Quantity::load_at_displacement, Quantity::interface_stiffness}) {
             CapSetup setup = made_of_pdms(3, model);
             setup.radii = {0.3, 0.53, 0};
             setup.targets = {hidden_law(setup, 5)};
             Target& target = setup.targets[0];
             target.quantity = quantity;
-            if (!against_pressure(quantity))
-                target.x = Eigen::VectorXd::LinSpaced(8, 0.02, 0.1);
+            if (!against_pressure(quantity)) target.x = Eigen::VectorXd::LinSpaced(8, 0.02, 0.1);
             target.y.setConstant(0.1);
             const CapProblem problem(setup);
             CapGenome genome = random_genome(setup, 6);
@@ -64,8 +61,7 @@ TEST_CASE("derivatives of every target of caps equal differences") {
             for (std::size_t g = 0; g < genome.size(); ++g) {
                 CapGenome up = genome, down = genome;
                 up[g] += 1e-7, down[g] -= 1e-7;
-                const Eigen::VectorXd difference =
-                    (problem.evaluate(up)[0] - problem.evaluate(down)[0]) / 2e-7;
+                const Eigen::VectorXd difference = (problem.evaluate(up)[0] - problem.evaluate(down)[0]) / 2e-7;
                 INFO(name_of(quantity) << ", gene " << g);
                 CHECK((difference - at.jacobian.col(static_cast<Index>(g))).cwiseAbs().maxCoeff() <=
                       1e-5 * at.jacobian.cwiseAbs().maxCoeff());
@@ -78,8 +74,8 @@ TEST_CASE("a cap under an approach has the load and area of Hertz's contact") {
     const Eigen::VectorXd depth = Eigen::VectorXd::LinSpaced(8, 0.01, 0.1),
                           area = std::numbers::pi * 0.526 / 2.25 * depth,
                           load = 4 * 1.36 / 3 * std::sqrt(0.526) / 2.25 * depth.array().pow(1.5);
-    for (const Target& hertz : {Target{Quantity::load_at_displacement, "", depth, load},
-                                {Quantity::area_at_displacement, "", depth, area}})
+    for (const Target& hertz :
+         {Target{Quantity::load_at_displacement, "", depth, load}, {Quantity::area_at_displacement, "", depth, area}})
         CHECK(curve_of(setup, hertz, {0.05}, setup.model).values.isApprox(hertz.y, 1e-9));
 }
 
@@ -108,8 +104,8 @@ TEST_CASE("exchanged caps change the law by their interaction only, and do not a
         setup.radii = {0.3, 0.53, 0};
         setup.targets = {hidden_law(setup, 3)};
         const auto found = [&](const char* how) { return search(setup, {.pipeline = how}); };
-        const double moved = found("sample 1 | mutate 1 exchange | score").best.similarity -
-                             found("sample 1 | score").best.similarity;
+        const double moved =
+            found("sample 1 | mutate 1 exchange | score").best.similarity - found("sample 1 | score").best.similarity;
         CHECK((std::abs(moved) < 1e-12) == (model == CapModel::independent));
         CHECK(found("sample 1 | score | mutate 1 exchange | score").alternatives.size() == 1);
     }
@@ -117,8 +113,7 @@ TEST_CASE("exchanged caps change the law by their interaction only, and do not a
 
 TEST_CASE("round keeps a steep law better than the nearest steps do") {
     CapSetup setup = made_of_pdms(8, CapModel::independent);
-    setup.targets = {
-        target_of(setup, 0.1, 0.2, [](double force) { return 1.2 * std::pow(force / 0.2, 1.35); })};
+    setup.targets = {target_of(setup, 0.1, 0.2, [](double force) { return 1.2 * std::pow(force / 0.2, 1.35); })};
     const std::string relaxed = "sample 200 | score | best 8 | refine lm 60 | best 1";
     for (const std::uint64_t seed : {1u, 2u, 3u}) {
         const auto similarity = [&](const std::string& pipeline) {
@@ -133,8 +128,7 @@ TEST_CASE("round keeps a steep law better than the nearest steps do") {
 
 TEST_CASE("corrected targets give interacting caps the law that independent caps miss") {
     CapSetup setup = made_of_pdms(8);
-    setup.targets = {
-        target_of(setup, 0.1, 0.6, [](double force) { return 1.3 * std::pow(force / 0.2, 0.8); })};
+    setup.targets = {target_of(setup, 0.1, 0.6, [](double force) { return 1.3 * std::pow(force / 0.2, 0.8); })};
     const CapGenome genome = random_genome(setup, 4);
     const auto misfits = [&](const CapSetup& of) { return CapProblem(of).evaluate(genome)[0]; };
     CHECK((misfits(setup) - misfits(with_independent_caps(setup))).cwiseAbs().maxCoeff() > 1e-3);
@@ -161,8 +155,7 @@ TEST_CASE("a thousand caps follow a line by boundary elements after few evaluati
     setup.targets = {target_of(setup, 1.673, 14.91, [](double force) { return 3.1069 * force; })};
     const std::string separate = "independent { sample 60 | score | best 4 | refine lm 30 | best 1 | refine "
                                  "lm 40 sharpen=10 } | ",
-                      together =
-                          "repeat 2 { corrected { score | refine lm 20 sharpen=5 | round 10 } | score }";
+                      together = "repeat 2 { corrected { score | refine lm 20 sharpen=5 | round 10 } | score }";
     const CapSearch found = search(setup, {.pipeline = separate + together});
     CHECK(found.best.lowest() >= 0.985);
     CHECK(found.counters.evaluations + found.counters.gradients <= 2500);
@@ -172,8 +165,7 @@ TEST_CASE("the law of caps is never reported as out of their reach") {
     for (const CapModel model : {CapModel::independent, CapModel::interacting})
         for (std::uint64_t seed = 1; seed <= 40; ++seed) {
             CapSetup setup = made_of_pdms(4, model);
-            if (seed % 2 == 0)
-                setup.radii = {0.2, 0.53, 0};
+            if (seed % 2 == 0) setup.radii = {0.2, 0.53, 0};
             setup.targets = {hidden_law(setup, seed)};
             CHECK(out_of_reach(setup).empty());
         }
@@ -204,8 +196,7 @@ TEST_CASE("larger errors of a law allow larger errors of heights, which 95 % of 
         int kept = 0;
         for (int draw = 0; draw < 400; ++draw) {
             CapGenome made = genome;
-            for (double& height : made)
-                height += rms * random.normal();
+            for (double& height : made) height += rms * random.normal();
             kept += 1 - min_similarity(problem.evaluate(made)) <= error;
         }
         CHECK(std::abs(kept - 380) <= 26); // both shares are off by sqrt(0.95 0.05/400); four times both

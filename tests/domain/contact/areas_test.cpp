@@ -34,33 +34,29 @@ ContactOptions by(Solver solver) { return {.solver = solver}; }
 
 TEST_CASE("every solver agrees with the oracle on small maps, under either control", "[contact][areas]") {
     for (const Kernel kernel : {Kernel::free, Kernel::periodic})
-        for (const Extent shape : {Extent{2, 1}, Extent{5, 1}, Extent{2, 2}, Extent{2, 3}, Extent{3, 5},
-                                   Extent{16, 9}, Extent{5, 14}}) {
+        for (const Extent shape :
+             {Extent{2, 1}, Extent{5, 1}, Extent{2, 2}, Extent{2, 3}, Extent{3, 5}, Extent{16, 9}, Extent{5, 14}}) {
             const Profile map = noise(shape, 0.01, 0.013, 3);
             const auto displacements = steps_of(map, kernel, 3, 0.95);
             const Oracle oracle = consult_oracle(map, on(kernel), displacements);
-            for (const Solver solver : {Solver::automatic, Solver::nested, Solver::nnls, Solver::active_set,
-                                        Solver::polonsky_keer}) {
+            for (const Solver solver :
+                 {Solver::automatic, Solver::nested, Solver::nnls, Solver::active_set, Solver::polonsky_keer}) {
                 CAPTURE(static_cast<int>(kernel), shape.columns, shape.rows, static_cast<int>(solver));
                 const bool direct = solver != Solver::active_set && solver != Solver::polonsky_keer;
                 const ContactCurve curve = solve_contact(map, on(kernel), displacements, by(solver));
-                const ContactCurve loaded =
-                    solve_contact_at_pressures(map, on(kernel), oracle.pressure, by(solver));
+                const ContactCurve loaded = solve_contact_at_pressures(map, on(kernel), oracle.pressure, by(solver));
                 for (std::size_t j = 0; j < displacements.size(); ++j) {
-                    CHECK(curve.steps[j].pressure ==
-                          Approx(oracle.pressure[j]).epsilon(direct ? 1e-11 : 3e-6));
+                    CHECK(curve.steps[j].pressure == Approx(oracle.pressure[j]).epsilon(direct ? 1e-11 : 3e-6));
                     CHECK(curve.steps[j].kkt_residual < (direct ? 1e-11 : 2e-6));
                     CHECK(loaded.steps[j].pressure == Approx(oracle.pressure[j]).epsilon(1e-5));
                     CHECK(loaded.steps[j].displacement == Approx(displacements[j]).epsilon(1e-5));
                     if (direct) {
                         CHECK(curve.steps[j].contact_nodes == oracle.contact_nodes[j]);
-                        CHECK(curve.steps[j].tangent_stiffness ==
-                              Approx(oracle.tangent_stiffness[j]).epsilon(1e-10));
+                        CHECK(curve.steps[j].tangent_stiffness == Approx(oracle.tangent_stiffness[j]).epsilon(1e-10));
                     }
                 }
             }
-            if (kernel == Kernel::free)
-                continue;
+            if (kernel == Kernel::free) continue;
             const double full = full_contact_load(map, on(kernel));
             const auto loaded = solve_contact_at_pressures(map, on(kernel), {full}, by(Solver::active_set));
             CHECK(loaded.steps[0].pressure == Approx(full).epsilon(1e-12));
@@ -98,8 +94,8 @@ TEST_CASE("an extruded periodic map gives the profile's curve", "[contact][areas
 }
 
 TEST_CASE("full contact of a few nodes agrees with a dense matrix", "[areas]") {
-    for (const Extent shape : {Extent{2, 1}, Extent{7, 1}, Extent{2, 2}, Extent{2, 3}, Extent{3, 2},
-                               Extent{3, 5}, Extent{5, 3}, Extent{2, 9}, Extent{8, 8}, Extent{11, 4}})
+    for (const Extent shape : {Extent{2, 1}, Extent{7, 1}, Extent{2, 2}, Extent{2, 3}, Extent{3, 2}, Extent{3, 5},
+                               Extent{5, 3}, Extent{2, 9}, Extent{8, 8}, Extent{11, 4}})
         for (const double row_spacing : {0.1, 0.04, 0.3}) {
             INFO(shape.columns << " x " << shape.rows << ", " << row_spacing << " mm");
             const Profile flat = map_of(shape, 0.1, row_spacing, [](double, double) { return 0.0; });
@@ -127,15 +123,13 @@ TEST_CASE("one row of square cells on a half-space is the strip", "[contact][are
     const ContactCurve line = solve_contact(profile, strip, displacements);
     ContactCurve area = solve_contact(row, on(Kernel::free), displacements);
     const double patches = 60.0 / 59; // a map's mean pressure is over patches, a profile's over its length
-    for (LoadStep& step : area.steps)
-        step.pressure *= patches, step.tangent_stiffness *= patches;
+    for (LoadStep& step : area.steps) step.pressure *= patches, step.tangent_stiffness *= patches;
     scenes::check_same(area, line, 1e-11);
     CHECK(patches * full_contact_stiffness(row, on(Kernel::free)) ==
           Approx(full_contact_stiffness(profile, strip)).epsilon(1e-9));
 }
 
-TEST_CASE("a sphere on a half-space follows Hertz, with an error of order 2 in the spacing",
-          "[contact][areas]") {
+TEST_CASE("a sphere on a half-space follows Hertz, with an error of order 2 in the spacing", "[contact][areas]") {
     constexpr double radius = 10, modulus = 1.3;
     double before = HUGE_VAL;
     for (const Index n : {25, 49}) {
@@ -147,11 +141,11 @@ TEST_CASE("a sphere on a half-space follows Hertz, with an error of order 2 in t
                 return -((x - x0) * (x - x0) + (y - y0) * (y - y0)) / (2 * radius);
             });
             // a^2 = R Delta, F = 4 E* a^3/(3 R), dF/dDelta = 2 E* a; the highest node stands below the summit
-            const ContactCurve curve = solve_contact(sphere, on(Kernel::free, modulus),
-                                                     {a * a / radius + sphere.heights.maxCoeff()});
+            const ContactCurve curve =
+                solve_contact(sphere, on(Kernel::free, modulus), {a * a / radius + sphere.heights.maxCoeff()});
             const double area = std::pow(1 + h, 2); // area of the patches
-            worst = std::max(
-                worst, std::abs(area * curve.steps[0].pressure * 3 * radius / (4 * modulus * a * a * a) - 1));
+            worst =
+                std::max(worst, std::abs(area * curve.steps[0].pressure * 3 * radius / (4 * modulus * a * a * a) - 1));
             CHECK(area * curve.steps[0].tangent_stiffness == Approx(2 * modulus * a).epsilon(2.5 * h));
         }
         CHECK(worst < 4 * h * h / 0.04);
@@ -164,8 +158,8 @@ TEST_CASE("a circular flat punch has the stiffness 2 E* a", "[contact][areas]") 
     constexpr double modulus = 1.3, a = 0.31;
     for (const Index n : {25, 49}) {
         const double h = 1.0 / static_cast<double>(n - 1);
-        const Profile punch = map_of(
-            {n, n}, h, h, [&](double x, double y) { return std::hypot(x - 0.5, y - 0.5) < a ? 0.0 : -1.0; });
+        const Profile punch =
+            map_of({n, n}, h, h, [&](double x, double y) { return std::hypot(x - 0.5, y - 0.5) < a ? 0.0 : -1.0; });
         const ContactCurve curve = solve_contact(punch, on(Kernel::free, modulus), {1e-3});
         // the circle of as many cells
         const double as_many = h * std::sqrt(static_cast<double>(curve.steps[0].contact_nodes) / pi);
@@ -190,8 +184,7 @@ TEST_CASE("a double sine follows Johnson, Greenwood and Higginson at both ends",
     CHECK(area(3) == Approx(1 - 1.5 / pi * 0.03).epsilon(0.003));
     CHECK(area(1) > area(0));
     CHECK(area(1) < area(2));
-    for (const LoadStep& step : curve.steps)
-        CHECK(step.kkt_residual < 2e-6);
+    for (const LoadStep& step : curve.steps) CHECK(step.kkt_residual < 2e-6);
     // Above full contact the flat surface carries any load.
     CHECK_THROWS_WITH(solve_contact_at_pressures(wave, on(Kernel::periodic, modulus), {1.2 * full}),
                       Catch::Contains("full contact"));
@@ -200,21 +193,18 @@ TEST_CASE("a double sine follows Johnson, Greenwood and Higginson at both ends",
 TEST_CASE("with one node out of contact, stiffness is the sum of E* q/2 over all waves", "[contact][areas]") {
     for (const auto& [shape, row_spacing] :
          {std::pair(Extent{3, 2}, 0.01), std::pair(Extent{17, 58}, 0.01), std::pair(Extent{64, 64}, 0.01),
-          std::pair(Extent{211, 199}, 0.01), std::pair(Extent{251, 1}, 0.01),
-          std::pair(Extent{251, 1}, 0.0)}) {
+          std::pair(Extent{211, 199}, 0.01), std::pair(Extent{251, 1}, 0.01), std::pair(Extent{251, 1}, 0.0)}) {
         const auto wave = [](Index k, Index n) { // 1/mm
             return static_cast<double>(std::min(k, n - k)) / (0.01 * static_cast<double>(n));
         };
         double K = 0;
         for (Index k = 0; k < shape.nodes(); ++k)
-            K += 1.3 * pi *
-                 std::hypot(wave(k % shape.columns, shape.columns), wave(k / shape.columns, shape.rows));
+            K += 1.3 * pi * std::hypot(wave(k % shape.columns, shape.columns), wave(k / shape.columns, shape.rows));
         Profile pit{Eigen::VectorXd::Zero(shape.nodes()), 0.01, shape.rows, row_spacing};
         pit.heights[shape.nodes() / 2] = -1e-3;
         const double half_closed = 0.5e-3 / static_cast<double>(shape.nodes());
         for (const Solver solver : {Solver::nested, Solver::active_set, Solver::polonsky_keer}) {
-            if (solver == Solver::nested && shape.nodes() > 5000)
-                continue;
+            if (solver == Solver::nested && shape.nodes() > 5000) continue;
             CAPTURE(shape.columns, shape.rows, row_spacing, static_cast<int>(solver));
             for (const ContactCurve& curve :
                  {solve_contact(pit, on(Kernel::periodic), {half_closed}, by(solver)),
@@ -255,8 +245,7 @@ TEST_CASE("contact spots join across a periodic edge", "[contact][areas]") {
 TEST_CASE("products per load step hardly grow with the nodes of a map", "[contact][areas]") {
     const auto products = [](Kernel kernel, Index n) {
         std::vector<double> pressures;
-        for (int j = 1; j <= 10; ++j)
-            pressures.push_back(0.17 * 0.1 / 23.5 * j);
+        for (int j = 1; j <= 10; ++j) pressures.push_back(0.17 * 0.1 / 23.5 * j);
         const Profile map = maps::self_affine(n, 0.8, 1, 0.1);
         return solve_contact_at_pressures(map, on(kernel, 1), pressures, by(Solver::active_set)).iterations;
     };
@@ -279,8 +268,7 @@ static void press_at_any_contact(const std::vector<Extent>& shapes, unsigned see
                 for (const double units : {0.025, 0.05, 0.1, 0.2, 0.3, 0.4, 0.6, 0.8, 1.0, 1.4, 1.9, 2.4}) {
                     CAPTURE(shape.columns, shape.rows, static_cast<int>(kernel), seed, units);
                     const double pressure = units * slope;
-                    if (pressure >= full)
-                        break;
+                    if (pressure >= full) break;
                     const ContactCurve curve =
                         solve_contact_at_pressures(map, on(kernel, 1), {pressure}, by(Solver::active_set));
                     const LoadStep& step = curve.steps[0];
@@ -304,9 +292,9 @@ TEST_CASE("a first load converges at any contact fraction on 240 maps", "[long][
 
 TEST_CASE("loads on four million nodes are solved, though the contact set swings", "[long][contact][areas]") {
     const Profile map = maps::self_affine(2048, 0.8, 1, 0.1);
-    const ContactCurve curve = solve_contact_at_pressures(
-        map, on(Kernel::periodic, 1), {0.17 * 0.1 / 23.5, 0.17 * 0.2 / 23.5, 0.17 * 0.3 / 23.5},
-        by(Solver::active_set));
+    const ContactCurve curve =
+        solve_contact_at_pressures(map, on(Kernel::periodic, 1),
+                                   {0.17 * 0.1 / 23.5, 0.17 * 0.2 / 23.5, 0.17 * 0.3 / 23.5}, by(Solver::active_set));
     for (const LoadStep& step : curve.steps) {
         CHECK(step.kkt_residual < 2e-6);
         // h' is 0.1: between Persson's 1.60 and the 2.51 of Bush, Gibson and Thomas.

@@ -20,8 +20,7 @@ TEST_CASE("a correct solution changed by a millionth fails its certificate", "[c
     constexpr double direct_tolerance = 1e-9;
     for (const auto& scene : scenes::reference_curves()) {
         INFO(scene.name);
-        const ContactCurve curve =
-            solve_contact(scene.profile, scene.body, scene.displacement, {.states = true});
+        const ContactCurve curve = solve_contact(scene.profile, scene.body, scene.displacement, {.states = true});
         const ContactProblem problem = make_problem(scene.profile, scene.body, scene.displacement);
         for (std::size_t j = 0; j < curve.steps.size(); ++j) {
             const auto& nodes = curve.states[j].nodes;
@@ -53,9 +52,7 @@ struct Pressed {
     Eigen::VectorXd displacement = (Eigen::VectorXd(5) << 0.5, 0.4, 0.3, 0.25, 0).finished();
     double mean = pressure.sum() / problem.elements; ///< mean pressure of the exact state
 
-    Certificate certified() const {
-        return certify(problem, approach, contact, pressure, displacement.data());
-    }
+    Certificate certified() const { return certify(problem, approach, contact, pressure, displacement.data()); }
 };
 
 /// Returns a function that changes the exact state, with pressures up to `cap`, and checks its certificate.
@@ -80,8 +77,7 @@ TEST_CASE("a certificate reports each corruption by its size over approach or me
     corrupt([](Pressed& state) { state.displacement[1] += 0.05; }, {.gap = 0.1}); // a gap in contact
     corrupt([](Pressed& state) { state.displacement[1] -= 0.05; }, {.gap = 0.1, .penetration = 0.1});
     corrupt([](Pressed& state) { state.displacement[3] = 0.2 - 0.05; }, {.penetration = 0.1}); // off contact
-    corrupt([](Pressed& state) { state.pressure = Eigen::Vector3d(1, -0.2, 1.2); },
-            {.tension = 0.2 / Pressed().mean});
+    corrupt([](Pressed& state) { state.pressure = Eigen::Vector3d(1, -0.2, 1.2); }, {.tension = 0.2 / Pressed().mean});
 }
 
 TEST_CASE("a certificate is infinite when a pressure or displacement is not finite", "[contact]") {
@@ -101,6 +97,5 @@ TEST_CASE("nodes at the hardness may penetrate, but have no gap and no more pres
     corrupt([](Pressed&) {}, {});
     corrupt([](Pressed& state) { state.displacement[1] -= 0.05; }, {});
     corrupt([](Pressed& state) { state.displacement[1] += 0.05; }, {.gap = 0.1});
-    corrupt([](Pressed& state) { state.pressure = Eigen::Vector3d(0.4, 1.1, 0.5); },
-            {.excess = 0.1 / Pressed().mean});
+    corrupt([](Pressed& state) { state.pressure = Eigen::Vector3d(0.4, 1.1, 0.5); }, {.excess = 0.1 / Pressed().mean});
 }

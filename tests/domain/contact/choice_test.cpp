@@ -22,10 +22,8 @@ ContactCurve pressed(Index nodes, double displacement, ContactOptions options = 
 
 /// Raised nodes on a flat or wavy periodic profile, 1 mm long.
 Profile raised(Index nodes, const std::vector<Index>& where, double height, double wave = 0) {
-    Profile profile =
-        sampled({nodes, 1, true}, [&](double x) { return wave * std::cos(6.283185307179586 * x); });
-    for (const Index i : where)
-        profile.heights[i] += height;
+    Profile profile = sampled({nodes, 1, true}, [&](double x) { return wave * std::cos(6.283185307179586 * x); });
+    for (const Index i : where) profile.heights[i] += height;
     return profile;
 }
 
@@ -72,10 +70,8 @@ TEST_CASE("nested and active-set agree on a prime number of nodes, up to near fu
             });
             const double full = largest_displacement(profile, periodic);
             const std::vector<double> displacements{0.01 * full, 0.3 * full, 0.9 * full, 0.999 * full};
-            const ContactCurve exact =
-                solve_contact(profile, periodic, displacements, {.solver = Solver::nested});
-            const ContactCurve found =
-                solve_contact(profile, periodic, displacements, {.solver = Solver::active_set});
+            const ContactCurve exact = solve_contact(profile, periodic, displacements, {.solver = Solver::nested});
+            const ContactCurve found = solve_contact(profile, periodic, displacements, {.solver = Solver::active_set});
             INFO(nodes << " nodes, " << waves << " waves");
             scenes::check_same(found, exact, 1e-5);
         }
@@ -84,12 +80,10 @@ TEST_CASE("nested and active-set agree on a prime number of nodes, up to near fu
 TEST_CASE("the curve stays the same when a factor hands over for work or memory", "[contact]") {
     // Every eighth node is a pit: the sample that predicts the contact sees hardly anything else.
     Profile profile = raised(4096, {}, 0, 1e-6);
-    for (Index i = 0; i < 4096; i += 8)
-        profile.heights[i] -= i == 2048 ? 0 : 1e-3;
+    for (Index i = 0; i < 4096; i += 8) profile.heights[i] -= i == 2048 ? 0 : 1e-3;
     std::vector<double> steps;
     const double full = profile.heights.maxCoeff() - profile.heights.mean();
-    for (const double part : {0.002, 0.005, 0.01, 0.5, 0.9})
-        steps.push_back(part * full);
+    for (const double part : {0.002, 0.005, 0.01, 0.5, 0.9}) steps.push_back(part * full);
     const ContactCurve direct = solve_contact(profile, periodic, steps, {.solver = Solver::nested});
     for (const double memory : {2e9, 4e6}) {
         const ContactCurve curve = solve_contact(profile, periodic, steps, {.memory_limit = memory});
@@ -108,12 +102,10 @@ TEST_CASE("a rough periodic profile passes its certificate near full contact", "
     std::mt19937_64 random(51);
     std::normal_distribution<double> normal;
     Profile profile{Eigen::VectorXd(4097), 1.0 / 4097};
-    for (double& height : profile.heights)
-        height = normal(random);
+    for (double& height : profile.heights) height = normal(random);
     const double full = profile.heights.maxCoeff() - profile.heights.mean();
     for (const Solver solver : {Solver::nested, Solver::automatic}) {
-        const ContactCurve curve =
-            solve_contact(profile, periodic, {0.9 * full, 0.9999 * full}, {.solver = solver});
+        const ContactCurve curve = solve_contact(profile, periodic, {0.9 * full, 0.9999 * full}, {.solver = solver});
         CHECK(curve.steps.back().contact_fraction > 0.5);
         CHECK(curve.steps.back().kkt_residual < (solver == Solver::nested ? 1e-8 : 2e-6));
     }
@@ -125,8 +117,7 @@ TEST_CASE("auto presses a rough line to a list of loads near full contact", "[co
     for (const double share : {0.999, 0.9999, 0.99999, 0.999999})
         loads.push_back(share * full_contact_load(profile, periodic));
     const ContactCurve curve = solve_contact_at_pressures(profile, periodic, loads);
-    for (std::size_t j = 0; j < loads.size(); ++j)
-        CHECK(std::abs(curve.steps[j].pressure / loads[j] - 1) < 1e-5);
+    for (std::size_t j = 0; j < loads.size(); ++j) CHECK(std::abs(curve.steps[j].pressure / loads[j] - 1) < 1e-5);
 }
 
 TEST_CASE("active-set and auto press lines under stiff layers as nnls does", "[contact]") {

@@ -54,8 +54,8 @@ inline Contact symmetric(const std::function<double(double)>& gap_slope, double 
     };
     // Integration by parts: int_0^a ln(2d/b) F'(b) db = ln(2d/a) F(a) + int_0^a F(b)/b db.
     const double load = a * load_over_width(a);
-    const double displacement = 2 / (pi * body.effective_modulus) *
-                                (std::log(2 * body.datum / a) * load + integral(load_over_width, 0.0, a));
+    const double displacement =
+        2 / (pi * body.effective_modulus) * (std::log(2 * body.datum / a) * load + integral(load_over_width, 0.0, a));
     return {load, displacement, punch_stiffness(a, body)};
 }
 

@@ -15,8 +15,7 @@ struct Worst {
 
 /// gap(x) >= 0 pressed on L = 1, against exact(a) for a in [narrowest, widest].
 Worst worst_error(Kernel kernel, Index nodes, const std::function<double(double)>& gap,
-                  const std::function<exact::Contact(double)>& exact_contact, double narrowest,
-                  double widest) {
+                  const std::function<exact::Contact(double)>& exact_contact, double narrowest, double widest) {
     constexpr double length = 1;
     const bool periodic = kernel == Kernel::periodic;
     const Body body{kernel, half_plane.effective_modulus, half_plane.datum};
@@ -39,18 +38,16 @@ Worst worst_error(Kernel kernel, Index nodes, const std::function<double(double)
         const ContactCurve curve = solve_contact(profile, body, displacements);
         for (std::size_t k = 0; k < expected.size(); ++k) {
             const LoadStep& step = curve.steps[k];
-            worst.pressure =
-                std::max(worst.pressure, std::abs(step.pressure * length / expected[k].load - 1));
-            worst.stiffness = std::max(worst.stiffness,
-                                       std::abs(step.tangent_stiffness * length / expected[k].stiffness - 1));
+            worst.pressure = std::max(worst.pressure, std::abs(step.pressure * length / expected[k].load - 1));
+            worst.stiffness =
+                std::max(worst.stiffness, std::abs(step.tangent_stiffness * length / expected[k].stiffness - 1));
         }
     }
     return worst;
 }
 
 void check_orders(Kernel kernel, const std::function<double(double)>& gap,
-                  const std::function<exact::Contact(double)>& exact_contact, double narrowest,
-                  double widest) {
+                  const std::function<exact::Contact(double)>& exact_contact, double narrowest, double widest) {
     const Worst coarse = worst_error(kernel, 128, gap, exact_contact, narrowest, widest);
     const Worst fine = worst_error(kernel, 1024, gap, exact_contact, narrowest, widest);
     const double octaves = 3;
@@ -69,19 +66,15 @@ TEST_CASE("load converges to second order, stiffness to first, on exact half-pla
     };
     check([](double x) { return x * x / 4; }, [](double a) { return exact::parabola(2, a, half_plane); });
     check([](double x) { return 0.1 * x; }, [](double a) { return exact::wedge(0.1, a, half_plane); });
-    check([](double x) { return 3 * std::pow(x, 4); },
-          [](double a) { return exact::quartic(3, a, half_plane); });
+    check([](double x) { return 3 * std::pow(x, 4); }, [](double a) { return exact::quartic(3, a, half_plane); });
     check([](double x) { return std::cosh(4 * x) - 1; }, // known by its slope only
-          [](double a) {
-              return exact::symmetric([](double x) { return 4 * std::sinh(4 * x); }, a, half_plane);
-          });
+          [](double a) { return exact::symmetric([](double x) { return 4 * std::sinh(4 * x); }, a, half_plane); });
 }
 
 TEST_CASE("load converges to second order, stiffness to first, on exact periodic contacts", "[contact]") {
     const double h2 = GENERATE(-0.2, 0.0, 0.12); // 0: Westergaard's wave
     check_orders(
-        Kernel::periodic,
-        [h2](double x) { return 1 - std::cos(2 * pi * x) + h2 * (1 - std::cos(4 * pi * x)); },
+        Kernel::periodic, [h2](double x) { return 1 - std::cos(2 * pi * x) + h2 * (1 - std::cos(4 * pi * x)); },
         [h2](double a) { return exact::two_waves(1, h2, 1, a, half_plane.effective_modulus); }, 0.1, 0.4);
 }
 
@@ -122,8 +115,7 @@ TEST_CASE("pressures follow Hertz and the wedge's arccosh inside the contact", "
     const Body body{Kernel::free, half_plane.effective_modulus, half_plane.datum};
     const auto hertz =
         solve_contact(parabola, body, {exact::parabola(1, a, half_plane).displacement}, {.states = true});
-    const auto sharp =
-        solve_contact(wedge, body, {exact::wedge(1, a, half_plane).displacement}, {.states = true});
+    const auto sharp = solve_contact(wedge, body, {exact::wedge(1, a, half_plane).displacement}, {.states = true});
     auto check = [&](const ContactState& state, auto pressure_at, double from) {
         for (std::size_t k = 0; k < state.nodes.size(); ++k) {
             const double x = std::abs(state.nodes[k] * parabola.spacing - 0.5);
@@ -144,8 +136,7 @@ TEST_CASE("the master integrals give the closed forms", "[contact]") {
             CHECK(x.displacement == Approx(y.displacement).epsilon(1e-12));
             CHECK(x.stiffness == Approx(y.stiffness).epsilon(1e-12));
         };
-        same(exact::symmetric([](double x) { return x / 2; }, a, half_plane),
-             exact::parabola(2, a, half_plane));
+        same(exact::symmetric([](double x) { return x / 2; }, a, half_plane), exact::parabola(2, a, half_plane));
         same(exact::symmetric([](double) { return 0.1; }, a, half_plane), exact::wedge(0.1, a, half_plane));
         same(exact::symmetric([](double x) { return 12 * x * x * x; }, a, half_plane),
              exact::quartic(3, a, half_plane));

@@ -12,8 +12,7 @@ using scenes::Scene;
 std::vector<Scene> random_scenes(int count) {
     std::mt19937 random(20);
     std::vector<Scene> scenes;
-    for (int k = 0; k < count; ++k)
-        scenes.push_back(scenes::random_scene(random, k, 20, 180, 12));
+    for (int k = 0; k < count; ++k) scenes.push_back(scenes::random_scene(random, k, 20, 180, 12));
     return scenes;
 }
 
@@ -47,15 +46,14 @@ TEST_CASE("only overlapping nodes touch a strip or a half-plane with datum from 
     int touched_apart = 0;
     for (const Scene& scene : random_scenes(150)) {
         const double highest = scene.profile.heights.maxCoeff();
-        const bool theorem = scene.body.kernel == Kernel::strip ||
-                             (scene.body.kernel == Kernel::free &&
-                              scene.body.datum >= profile_length(scene.profile, Kernel::free));
+        const bool theorem =
+            scene.body.kernel == Kernel::strip ||
+            (scene.body.kernel == Kernel::free && scene.body.datum >= profile_length(scene.profile, Kernel::free));
         const ContactCurve curve = solved(scene);
         for (std::size_t j = 0; j < curve.steps.size(); ++j)
             for (const int node : curve.states[j].nodes) {
                 const bool apart = highest - scene.profile.heights[node] >= scene.displacements[j];
-                if (theorem)
-                    CHECK_FALSE(apart);
+                if (theorem) CHECK_FALSE(apart);
                 touched_apart += apart;
             }
     }
@@ -66,11 +64,9 @@ TEST_CASE("pressure scales with heights and displacements, and stiffness and con
     for (Scene scene : random_scenes(60)) {
         ContactCurve expected = solved(scene);
         const double scale = 1e-3;
-        for (LoadStep& step : expected.steps)
-            step.pressure *= scale;
+        for (LoadStep& step : expected.steps) step.pressure *= scale;
         scene.profile.heights *= scale;
-        for (double& displacement : scene.displacements)
-            displacement *= scale;
+        for (double& displacement : scene.displacements) displacement *= scale;
         scenes::check_same(solved(scene), expected, 1e-10);
     }
 }
@@ -89,8 +85,7 @@ TEST_CASE("pressure is convex, and stiffness never falls or exceeds that of full
         CHECK(before.pressure == 0);
         double secant_before = 0;
         for (const LoadStep& step : std::span(curve.steps).subspan(1)) {
-            const double secant =
-                (step.pressure - before.pressure) / (step.displacement - before.displacement);
+            const double secant = (step.pressure - before.pressure) / (step.displacement - before.displacement);
             CHECK(secant >= secant_before * (1 - 1e-10));
             CHECK(secant <= step.tangent_stiffness * (1 + 1e-10));
             CHECK(secant >= before.tangent_stiffness * (1 - 1e-10));
@@ -106,8 +101,7 @@ TEST_CASE("a wave of amplitude e shifts the curve by at most 2 e in displacement
     std::mt19937 random(5);
     std::uniform_real_distribution<double> uniform(0, 1);
     for (const Scene& scene : random_scenes(90)) {
-        if (scene.body.kernel == Kernel::periodic)
-            continue;
+        if (scene.body.kernel == Kernel::periodic) continue;
         const ContactCurve whole = solved(scene);
         const double e = 0.03 * scene.displacements.back() * uniform(random), wave = 3 + 20 * uniform(random);
         Scene without = scene;
@@ -124,11 +118,9 @@ TEST_CASE("a wave of amplitude e shifts the curve by at most 2 e in displacement
     }
 }
 
-TEST_CASE("another datum d2 adds (2 P L/(pi E*)) ln(d2/d) to the displacement of every load step",
-          "[contact]") {
+TEST_CASE("another datum d2 adds (2 P L/(pi E*)) ln(d2/d) to the displacement of every load step", "[contact]") {
     for (Scene scene : random_scenes(60)) {
-        if (scene.body.kernel != Kernel::free)
-            continue;
+        if (scene.body.kernel != Kernel::free) continue;
         const double length = profile_length(scene.profile, Kernel::free), d2 = 7 * length;
         const double compliance = 2 * length / (std::numbers::pi * scene.body.effective_modulus) *
                                   std::log(d2 / *completed(scene.body, length).datum);
@@ -165,6 +157,5 @@ TEST_CASE("a datum is refused up to (L + spacing)/4, and a modulus that is not p
     CHECK_THROWS_AS(solve_contact(profile, {Kernel::free, 1, limit * (1 - 1e-12), 0}, {0.01}), InputError);
     CHECK(solve_contact(profile, {Kernel::free, 1, limit * (1 + 1e-6), 0}, {0.01}).steps[0].pressure > 0);
     for (const double modulus : {0., -1., HUGE_VAL, std::nan("")})
-        CHECK_THROWS_WITH(solve_contact(profile, {Kernel::free, modulus}, {0.01}),
-                          Catch::Contains("modulus"));
+        CHECK_THROWS_WITH(solve_contact(profile, {Kernel::free, modulus}, {0.01}), Catch::Contains("modulus"));
 }

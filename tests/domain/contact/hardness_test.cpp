@@ -25,16 +25,14 @@ TEST_CASE("pressures held at a hardness are the oracle's, on every kernel", "[co
         Scene scene = scenes::random_scene(random, trial, 16, 24, 4);
         scene.body.hardness =
             highest_pressure(scene) * std::array{0.05, 0.3, 0.6, 0.9}[static_cast<std::size_t>(trial % 4)];
-        const ContactCurve curve =
-            solve_contact(scene.profile, scene.body, scene.displacements, {.states = true});
+        const ContactCurve curve = solve_contact(scene.profile, scene.body, scene.displacements, {.states = true});
         const Oracle oracle = consult_oracle(scene.profile, scene.body, scene.displacements);
         for (std::size_t j = 0; j < curve.steps.size(); ++j) {
             const LoadStep& step = curve.steps[j];
             INFO("trial " << trial << ", step " << j << ", held " << step.held_nodes);
             CHECK(step.pressure == Approx(oracle.pressure[j]).epsilon(1e-9));
-            CHECK(step.tangent_stiffness == Approx(oracle.tangent_stiffness[j])
-                                                .epsilon(1e-9)
-                                                .margin(1e-9 * curve.steps[0].tangent_stiffness));
+            CHECK(step.tangent_stiffness ==
+                  Approx(oracle.tangent_stiffness[j]).epsilon(1e-9).margin(1e-9 * curve.steps[0].tangent_stiffness));
             CHECK(step.contact_nodes == oracle.contact_nodes[j]);
             CHECK(step.held_nodes == oracle.held_nodes[j]);
             CHECK(step.kkt_residual < 1e-10);
@@ -43,8 +41,7 @@ TEST_CASE("pressures held at a hardness are the oracle's, on every kernel", "[co
                 const double p = curve.states[j].pressure[static_cast<Index>(k)];
                 CHECK(std::abs(p - oracle.node_pressure[j][node]) <= 1e-9 * scene.body.hardness);
                 CHECK(p <= scene.body.hardness * (1 + 1e-15));
-                if (p >= scene.body.hardness * (1 - 1e-15))
-                    CHECK(curve.states[j].tangent[static_cast<Index>(k)] == 0);
+                if (p >= scene.body.hardness * (1 - 1e-15)) CHECK(curve.states[j].tangent[static_cast<Index>(k)] == 0);
             }
             held += step.held_nodes, measured += step.kkt_residual > 0;
         }
@@ -62,12 +59,10 @@ TEST_CASE("a hardness changes the curve only if a node reaches it", "[contact]")
         scene.body.hardness = 1.01 * highest;
         const ContactCurve hard = solve_contact(scene.profile, scene.body, scene.displacements);
         scenes::check_same(hard, elastic, 2e-6);
-        for (const LoadStep& step : hard.steps)
-            CHECK(step.held_nodes == 0);
+        for (const LoadStep& step : hard.steps) CHECK(step.held_nodes == 0);
         scene.body.hardness = 0.1 * highest;
         const ContactCurve soft = solve_contact(scene.profile, scene.body, scene.displacements);
-        for (std::size_t j = 0; j < soft.steps.size(); ++j)
-            CHECK(soft.steps[j].pressure < elastic.steps[j].pressure);
+        for (std::size_t j = 0; j < soft.steps.size(); ++j) CHECK(soft.steps[j].pressure < elastic.steps[j].pressure);
         CHECK(soft.steps.back().held_nodes > 0);
         // The curve is the same under load control.
         const double between = 0.5 * (soft.steps[1].pressure + soft.steps[2].pressure);
@@ -87,8 +82,8 @@ TEST_CASE("every direct solver's tangent is the derivative of its pressures", "[
             const Scene scene = scenes::random_scene(random, static_cast<int>(kernel), 40, 0, 4);
             const double d = scene.displacements[2], step = 1e-7 * d;
             const auto at = [&](double displacement) {
-                const ContactCurve curve = solve_contact(scene.profile, scene.body, {displacement},
-                                                         {.solver = solver, .states = true});
+                const ContactCurve curve =
+                    solve_contact(scene.profile, scene.body, {displacement}, {.solver = solver, .states = true});
                 Eigen::VectorXd pressure = Eigen::VectorXd::Zero(40), tangent = pressure;
                 const ContactState& state = curve.states[0];
                 pressure(state.nodes) = state.pressure;
@@ -109,29 +104,24 @@ TEST_CASE("a periodic profile carries every load below that of all nodes at the 
                             .finished() *
                         1e-6,
                     1000};
-    const Body body{
-        .kernel = Kernel::periodic, .effective_modulus = 1000, .hardness = 3.2609185146591581e-06};
+    const Body body{.kernel = Kernel::periodic, .effective_modulus = 1000, .hardness = 3.2609185146591581e-06};
     for (const double share : {0.05, 0.089462972, 0.33, 0.81245457, 0.99}) {
         INFO("share " << share);
         const double pressure = share * body.hardness;
         const LoadStep step = solve_contact_at_pressures(profile, body, {pressure}).steps[0];
         CHECK(step.pressure == Approx(pressure).epsilon(1e-9));
         CHECK(step.kkt_residual < 1e-9);
-        CHECK(consult_oracle(profile, body, {step.displacement}).pressure[0] ==
-              Approx(pressure).epsilon(1e-6));
+        CHECK(consult_oracle(profile, body, {step.displacement}).pressure[0] == Approx(pressure).epsilon(1e-6));
     }
 }
 
 TEST_CASE("a map with steps carries a load below its hardness", "[contact]") {
     std::mt19937 random(43);
-    const auto uniform = [&](double from, double to) {
-        return std::uniform_real_distribution(from, to)(random);
-    };
+    const auto uniform = [&](double from, double to) { return std::uniform_real_distribution(from, to)(random); };
     for (int trial = 0; trial < 12; ++trial) {
         const Index columns = 48, rows = trial % 3 == 0 ? 8 : 32;
         Profile map{Eigen::VectorXd(columns * rows), 0.01, rows, 0.01};
-        for (double& height : map.heights)
-            height = 0.01 * std::round(4 * uniform(-1, 1)) / 4 + 1e-5 * uniform(-1, 1);
+        for (double& height : map.heights) height = 0.01 * std::round(4 * uniform(-1, 1)) / 4 + 1e-5 * uniform(-1, 1);
         Body body{.kernel = trial % 2 ? Kernel::periodic : Kernel::free, .effective_modulus = 1};
         const double pressure = std::pow(10, uniform(-5, -2));
         body.hardness = pressure * std::pow(10, uniform(0.02, 2));
@@ -172,8 +162,8 @@ TEST_CASE("full contact carries a range of loads until a node reaches the hardne
     const Profile profile =
         sampled({n, 1, true}, [&](double x) { return amplitude * std::cos(2 * std::numbers::pi * x); });
     const Body body{.kernel = Kernel::periodic, .hardness = 3 * full};
-    const ContactCurve curve = solve_contact_at_pressures(
-        profile, body, {0.5 * full, 1.2 * full, 1.9 * full, 2.5 * full}, {.states = true});
+    const ContactCurve curve =
+        solve_contact_at_pressures(profile, body, {0.5 * full, 1.2 * full, 1.9 * full, 2.5 * full}, {.states = true});
     for (const std::size_t j : {1u, 2u}) {
         CHECK(curve.steps[j].displacement == Approx(amplitude).epsilon(1e-12));
         CHECK(curve.steps[j].contact_nodes == n);

@@ -24,16 +24,14 @@ Body layered(double thickness, double modulus, double nu, bool rigid, double bas
 Profile waves(Extent shape, std::uint64_t seed) {
     ga::Stream random(seed);
     Profile profile{Eigen::VectorXd::Zero(shape.nodes()), 1.0 / static_cast<double>(shape.columns)};
-    if (shape.rows > 1)
-        profile.rows = shape.rows, profile.row_spacing = 1.0 / static_cast<double>(shape.rows);
+    if (shape.rows > 1) profile.rows = shape.rows, profile.row_spacing = 1.0 / static_cast<double>(shape.rows);
     for (const int n : {1, 2, 5}) {
         const double phase = random.uniform(0, 2 * pi), other = random.uniform(0, 2 * pi);
         for (Index k = 0; k < shape.nodes(); ++k) {
             const double x = static_cast<double>(k % shape.columns) / static_cast<double>(shape.columns),
                          y = static_cast<double>(k / shape.columns) / static_cast<double>(shape.rows);
             profile.heights[k] +=
-                0.01 / n *
-                (std::cos(2 * pi * n * x + phase) + (shape.rows > 1) * std::cos(2 * pi * n * y + other));
+                0.01 / n * (std::cos(2 * pi * n * x + phase) + (shape.rows > 1) * std::cos(2 * pi * n * y + other));
         }
     }
     return profile;
@@ -46,8 +44,7 @@ TEST_CASE("the compliance of a layer on a rigid base has its closed form") {
         for (const double s : {0.01, 0.2, 1.8, 6.0, 150.0}) {
             CAPTURE(nu, s);
             const double expected = s < 100 ? on_rigid_base(nu, s) : 1;
-            CHECK(relative_compliance({{{1, 7, nu}}, true}, 7 / (1 - nu * nu), s) ==
-                  Approx(expected).epsilon(1e-10));
+            CHECK(relative_compliance({{{1, 7, nu}}, true}, 7 / (1 - nu * nu), s) == Approx(expected).epsilon(1e-10));
         }
 }
 
@@ -63,8 +60,7 @@ TEST_CASE("thick and thin layers have the limits of their half-space and of the 
     CHECK(relative_compliance({{{0.7, 12, 0.4}}, false, 0.2}, base * 1e9, 1) / 1e9 * own / base ==
           Approx(on_rigid_base(0.4, 0.7)).epsilon(1e-7));
     const Layering thin{{{1e-3, 12, 0.4}}, true};
-    CHECK(mean_compliance(thin, 1) ==
-          Approx(2 / 1e-3 * relative_compliance(thin, own, 1e-3) / own).epsilon(1e-5));
+    CHECK(mean_compliance(thin, 1) == Approx(2 / 1e-3 * relative_compliance(thin, own, 1e-3) / own).epsilon(1e-5));
 }
 
 TEST_CASE("layers of the body's modulus leave the curve unchanged") {
@@ -74,8 +70,8 @@ TEST_CASE("layers of the body's modulus leave the curve unchanged") {
         same.layering = {{{0.05, 3, 0.3}, {0.2, 3, 0.3}}, false, 0.3};
         const auto steps = scenes::load_steps(profile, 5, 0.3);
         const ContactOptions direct{.solver = Solver::nested};
-        scenes::check_same(solve_contact(profile, same, steps, direct),
-                           solve_contact(profile, plain, steps, direct), 1e-10);
+        scenes::check_same(solve_contact(profile, same, steps, direct), solve_contact(profile, plain, steps, direct),
+                           1e-10);
     }
 }
 
@@ -105,10 +101,8 @@ TEST_CASE("all solvers agree under layers, by displacement and by load") {
             const auto steps = scenes::load_steps(profile, 6, 0.4);
             const ContactCurve curve = solve_contact(profile, body, steps, {});
             std::vector<double> pressures;
-            for (const LoadStep& step : curve.steps)
-                pressures.push_back(step.pressure);
-            for (const Solver solver :
-                 {Solver::automatic, Solver::nnls, Solver::polonsky_keer, Solver::active_set}) {
+            for (const LoadStep& step : curve.steps) pressures.push_back(step.pressure);
+            for (const Solver solver : {Solver::automatic, Solver::nnls, Solver::polonsky_keer, Solver::active_set}) {
                 const ContactOptions options{.solver = solver};
                 const ContactCurve other = solve_contact(profile, body, steps, options),
                                    loaded = solve_contact_at_pressures(profile, body, pressures, options);
@@ -124,8 +118,7 @@ TEST_CASE("full contact under layers is that of each wave's compliance") {
     // z = h cos q x is in full contact from P = h/(u/p) on. On a rigid base P then continues to rise by 1/C0.
     const double h = 0.01, nu = 0.3, t = 0.1, modulus = 7;
     const Profile wave = sampled({128, 1, true}, [&](double x) { return h * std::cos(2 * pi * x); });
-    const double own = effective_modulus(modulus, nu), q = 2 * pi,
-                 full = h * own * q / 2 / on_rigid_base(nu, q * t),
+    const double own = effective_modulus(modulus, nu), q = 2 * pi, full = h * own * q / 2 / on_rigid_base(nu, q * t),
                  c0 = t * (1 + nu) * (1 - 2 * nu) / (modulus * (1 - nu));
     const Body body = layered(t, modulus, nu, true);
     CHECK(full_contact_load(wave, body) == Approx(full).epsilon(1e-10));
@@ -138,10 +131,10 @@ TEST_CASE("full contact under layers is that of each wave's compliance") {
 }
 
 TEST_CASE("stiffness under layers has the derivatives of its differences") {
-    Genome genome = genome_from_json(
-        nlohmann::json::parse(R"({"series":[{"A":0.01,"H":0.8,"gamma":1.5,"lambda":1,"chromosomes":[
+    Genome genome =
+        genome_from_json(nlohmann::json::parse(R"({"series":[{"A":0.01,"H":0.8,"gamma":1.5,"lambda":1,"chromosomes":[
             {"n":1,"phases":[0.3]},{"n":2,"phases":[2.1]},{"n":3,"phases":[4.0]}]}]})"),
-        "genome");
+                         "genome");
     for (const bool rigid : {false, true}) {
         const Model model{{128, 1, true}, layered(0.05, 20, 0.2, rigid), {.steps = 6}};
         const ResponseJacobian jacobian = testing::jacobian_of(genome, model);

@@ -30,8 +30,7 @@ TEST_CASE("pressing to a pressure finds the displacement that gives it", "[conta
     for (const auto& scene : scenes::reference_curves()) {
         INFO(scene.name << ", " << static_cast<int>(solver));
         const std::vector<double> pressures{scene.pressure[1], scene.pressure[8], scene.pressure[19]};
-        const ContactCurve curve =
-            solve_contact_at_pressures(scene.profile, scene.body, pressures, {.solver = solver});
+        const ContactCurve curve = solve_contact_at_pressures(scene.profile, scene.body, pressures, {.solver = solver});
         REQUIRE(curve.steps.size() == 3);
         std::size_t k = 0;
         for (const std::size_t j : {1u, 8u, 19u}) {
@@ -46,13 +45,12 @@ TEST_CASE("pressing to a pressure finds the displacement that gives it", "[conta
 TEST_CASE("every load is met, though a step from first touch leads to full contact", "[contact]") {
     const Body body{Kernel::periodic};
     std::vector<double> pressures; // to contact fractions of 0.01 to 0.9
-    for (int j = 0; j < 6; ++j)
-        pressures.push_back(2.5e-4 * std::pow(320, j / 5.0));
+    for (int j = 0; j < 6; ++j) pressures.push_back(2.5e-4 * std::pow(320, j / 5.0));
     for (const Index nodes : {512, 1024}) // solved by the factor and by conjugate gradients
         for (const std::uint64_t seed : {1u, 2u, 3u}) {
-            const Profile profile = realised(
-                {.hurst = 0.8, .longest = 1.0 / 32, .shortest = 1.0 / 256, .rms_slope = 0.1, .is_2d = false},
-                {.nodes = nodes, .length = 1, .periodic = true}, seed);
+            const Profile profile =
+                realised({.hurst = 0.8, .longest = 1.0 / 32, .shortest = 1.0 / 256, .rms_slope = 0.1, .is_2d = false},
+                         {.nodes = nodes, .length = 1, .periodic = true}, seed);
             const ContactCurve curve = solve_contact_at_pressures(profile, body, pressures);
             INFO(nodes << " nodes, seed " << seed << ", " << name_of(curve.solver));
             for (std::size_t j = 0; j < pressures.size(); ++j)
@@ -69,8 +67,7 @@ TEST_CASE("every load is met, though a step from first touch leads to full conta
 }
 
 TEST_CASE("each solver agrees with an independent implementation within its tolerance", "[contact]") {
-    for (const Solver solver : {Solver::nested, Solver::nnls})
-        check_against_reference({.solver = solver}, 1e-9);
+    for (const Solver solver : {Solver::nested, Solver::nnls}) check_against_reference({.solver = solver}, 1e-9);
     for (const Solver solver : {Solver::polonsky_keer, Solver::active_set})
         check_against_reference({.solver = solver}, 1e-5);
     // The search in single precision does not limit the result.
@@ -80,8 +77,7 @@ TEST_CASE("each solver agrees with an independent implementation within its tole
 TEST_CASE("the oracle in extended precision agrees with the reference curves", "[contact]") {
     for (const auto& scene : scenes::reference_curves()) {
         INFO(scene.name);
-        if (scene.profile.nodes() > 256)
-            continue;
+        if (scene.profile.nodes() > 256) continue;
         for (const std::size_t j : {0u, 9u, 19u}) {
             const Oracle oracle = consult_oracle(scene.profile, scene.body, {scene.displacement[j]});
             CHECK(oracle.pressure[0] == Approx(scene.pressure[j]).epsilon(1e-12));

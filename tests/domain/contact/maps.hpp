@@ -50,13 +50,11 @@ inline rough::Profile self_affine(rough::Extent shape, double H, unsigned seed, 
         for (Index i = 0; i < half; ++i) {
             const double q = std::hypot(waves(i, columns), waves(std::min(j, rows - j), rows));
             const double angle = phase(random);
-            const double amplitude =
-                q < 4 || q > side / 8 || (i == 0 && 2 * j > rows) ? 0 : std::pow(q, -1 - H);
+            const double amplitude = q < 4 || q > side / 8 || (i == 0 && 2 * j > rows) ? 0 : std::pow(q, -1 - H);
             spectrum(i, j) = std::polar(amplitude, angle);
         }
     const double spacing = 1 / static_cast<double>(columns);
-    rough::Profile map{rough::inverse_fourier_transform(spectrum, columns).reshaped(), spacing, rows,
-                       spacing};
+    rough::Profile map{rough::inverse_fourier_transform(spectrum, columns).reshaped(), spacing, rows, spacing};
     map.heights *= slope / rms_slope(map);
     return map;
 }

@@ -33,12 +33,10 @@ Real love(Real r, Real a, Real b) {
 
 /// u/p times E* of a wave of the wavenumber q.
 Real compliance(const Body& body, Real q) {
-    if (body.layering.layers.empty())
-        return 2 / q;
+    if (body.layering.layers.empty()) return 2 / q;
     const Layer& layer = body.layering.layers[0];
     const Real nu = layer.poissons_ratio, t = layer.thickness, E = body.effective_modulus;
-    if (q == 0)
-        return E * t * (1 + nu) * (1 - 2 * nu) / (layer.modulus * (1 - nu));
+    if (q == 0) return E * t * (1 + nu) * (1 - 2 * nu) / (layer.modulus * (1 - nu));
     return 2 * E * (1 - nu * nu) / (layer.modulus * q) * layer_on_rigid_base(nu, q * t);
 }
 
@@ -51,8 +49,7 @@ Real cosine_sum(const Body& body, Index i, Index j, Extent shape, Real length, R
                            std::hypot(static_cast<Real>(std::min(k, shape.columns - k)) / length,
                                       static_cast<Real>(std::min(m, shape.rows - m)) / width);
             sum += compliance(body, q) *
-                   std::cos(2 * pi * static_cast<Real>((i * k) % shape.columns) /
-                            static_cast<Real>(shape.columns)) *
+                   std::cos(2 * pi * static_cast<Real>((i * k) % shape.columns) / static_cast<Real>(shape.columns)) *
                    std::cos(2 * pi * static_cast<Real>((j * m) % shape.rows) / static_cast<Real>(shape.rows));
         }
     return sum / static_cast<Real>(shape.nodes());
@@ -61,8 +58,7 @@ Real cosine_sum(const Body& body, Index i, Index j, Extent shape, Real length, R
 /// Love (1929) as printed, over a cell of half-sides a and b.
 Real love_cell(Real x, Real y, Real a, Real b) {
     const auto s = [](Real X, Real Y) {
-        return (X == 0 ? 0 : X * std::asinh(Y / std::abs(X))) +
-               (Y == 0 ? 0 : Y * std::asinh(X / std::abs(Y)));
+        return (X == 0 ? 0 : X * std::asinh(Y / std::abs(X))) + (Y == 0 ? 0 : Y * std::asinh(X / std::abs(Y)));
     };
     return (s(x + a, y + b) - s(x - a, y + b) - s(x + a, y - b) + s(x - a, y - b)) / pi;
 }
@@ -85,12 +81,11 @@ Vector influence(const Profile& profile, const Body& given) {
     for (Index k = 0; k < shape.nodes(); ++k) {
         const Index i = k % shape.columns, j = k / shape.columns;
         const Real x = static_cast<Real>(i) * dx, y = static_cast<Real>(j) * dy;
-        h[k] = body.kernel == Kernel::periodic
-                   ? cosine_sum(body, i, j, shape, static_cast<Real>(shape.columns) * dx,
-                                static_cast<Real>(shape.rows) * dy)
-               : profile.is_2d()             ? love_cell(x, y, dx / 2, dy / 2)
-               : body.kernel == Kernel::free ? flamant(x, dx / 2, *body.datum)
-                                             : love(x, dx / 2, static_cast<Real>(*body.strip_width) / 2);
+        h[k] = body.kernel == Kernel::periodic ? cosine_sum(body, i, j, shape, static_cast<Real>(shape.columns) * dx,
+                                                            static_cast<Real>(shape.rows) * dy)
+               : profile.is_2d()               ? love_cell(x, y, dx / 2, dy / 2)
+               : body.kernel == Kernel::free   ? flamant(x, dx / 2, *body.datum)
+                                               : love(x, dx / 2, static_cast<Real>(*body.strip_width) / 2);
     }
     return h;
 }
@@ -127,8 +122,7 @@ Pressed press(const Influences& h, const Vector& goal, Real displacement, bool s
     for (int round = 0; round < 500; ++round) {
         std::vector<Index> nodes;
         for (Index i = 0; i < n; ++i)
-            if (in[static_cast<std::size_t>(i)])
-                nodes.push_back(i);
+            if (in[static_cast<std::size_t>(i)]) nodes.push_back(i);
         Pressed pressed = solve_on(nodes, h, goal);
         bool converged = true;
         for (std::size_t k = 0; k < nodes.size(); ++k)
@@ -136,11 +130,9 @@ Pressed press(const Influences& h, const Vector& goal, Real displacement, bool s
                 in[static_cast<std::size_t>(nodes[k])] = 0;
                 converged = false;
             }
-        if (!converged)
-            continue;
+        if (!converged) continue;
         for (Index i = 0; i < n; ++i) {
-            if (in[static_cast<std::size_t>(i)])
-                continue;
+            if (in[static_cast<std::size_t>(i)]) continue;
             Real u = 0;
             for (std::size_t k = 0; k < nodes.size(); ++k)
                 u += h(i, nodes[k]) * pressed.pressure[static_cast<Index>(k)];
@@ -149,8 +141,7 @@ Pressed press(const Influences& h, const Vector& goal, Real displacement, bool s
                 converged = false;
             }
         }
-        if (converged)
-            return pressed;
+        if (converged) return pressed;
     }
     throw NotConverged("the oracle's contact set does not converge");
 }
@@ -161,13 +152,11 @@ Pressed press_capped(const Influences& h, const Vector& goal, Real cap) {
     Vector p = Vector::Zero(n);
     Real moved = 1;
     for (long sweep = 0; moved > 1e-16L * p.maxCoeff(); ++sweep) {
-        if (sweep > 200000)
-            throw NotConverged("the oracle's capped pressures do not converge");
+        if (sweep > 200000) throw NotConverged("the oracle's capped pressures do not converge");
         moved = 0;
         for (Index i = 0; i < n; ++i) {
             Real gap = -goal[i];
-            for (Index j = 0; j < n; ++j)
-                gap += h(i, j) * p[j];
+            for (Index j = 0; j < n; ++j) gap += h(i, j) * p[j];
             const Real next = std::clamp(p[i] - relaxation * gap / h.column[0], Real(0), cap);
             moved = std::max(moved, std::abs(next - p[i]));
             p[i] = next;
@@ -176,10 +165,8 @@ Pressed press_capped(const Influences& h, const Vector& goal, Real cap) {
     Pressed pressed;
     std::vector<Index> elastic;
     for (Index i = 0; i < n; ++i) {
-        if (p[i] > 0)
-            pressed.nodes.push_back(i);
-        if (p[i] > 0 && p[i] < cap)
-            elastic.push_back(i);
+        if (p[i] > 0) pressed.nodes.push_back(i);
+        if (p[i] > 0 && p[i] < cap) elastic.push_back(i);
     }
     pressed.pressure = p;
     pressed.held = static_cast<Index>(pressed.nodes.size() - elastic.size());
@@ -197,16 +184,15 @@ long double layer_on_rigid_base(long double nu, long double s) {
 Oracle consult_oracle(const Profile& profile, const Body& body, const std::vector<double>& displacements) {
     const Influences h{influence(profile, body), profile.shape().columns};
     const Vector heights = profile.heights.cast<Real>();
-    const Real share = profile.is_2d() ? 1 / static_cast<Real>(elements(profile, body.kernel))
-                                       : static_cast<Real>(profile.spacing) /
-                                             static_cast<Real>(profile_length(profile, body.kernel));
+    const Real share =
+        profile.is_2d() ? 1 / static_cast<Real>(elements(profile, body.kernel))
+                        : static_cast<Real>(profile.spacing) / static_cast<Real>(profile_length(profile, body.kernel));
     const Real modulus = body.effective_modulus;
     Oracle oracle;
     for (const double displacement : displacements) {
         const Vector goal = (heights.array() - heights.maxCoeff() + static_cast<Real>(displacement)).matrix();
-        const Pressed pressed = body.yields()
-                                    ? press_capped(h, goal, static_cast<Real>(body.hardness) / modulus)
-                                    : press(h, goal, displacement, body.relative_to_mean());
+        const Pressed pressed = body.yields() ? press_capped(h, goal, static_cast<Real>(body.hardness) / modulus)
+                                              : press(h, goal, displacement, body.relative_to_mean());
         oracle.pressure.push_back(static_cast<double>(modulus * share * pressed.pressure.sum()));
         oracle.tangent_stiffness.push_back(static_cast<double>(modulus * share * pressed.stiffness));
         oracle.contact_nodes.push_back(static_cast<Index>(pressed.nodes.size()));

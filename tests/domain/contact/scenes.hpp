@@ -29,10 +29,8 @@ inline std::vector<Reference> reference_curves() {
         r.name = scene["name"];
         r.body.kernel = rough::kernel_named(scene["kernel"]);
         r.body.effective_modulus = scene["effective_modulus_MPa"];
-        if (!scene["datum_mm"].is_null())
-            r.body.datum = scene["datum_mm"].get<double>();
-        if (!scene["strip_width_mm"].is_null())
-            r.body.strip_width = scene["strip_width_mm"].get<double>();
+        if (!scene["datum_mm"].is_null()) r.body.datum = scene["datum_mm"].get<double>();
+        if (!scene["strip_width_mm"].is_null()) r.body.strip_width = scene["strip_width_mm"].get<double>();
         r.profile = sample(rough::genome_from_json(scene["genome"], "scene"),
                            {scene["nodes"], scene["length_mm"], r.body.kernel == rough::Kernel::periodic});
         r.displacement = scene["displacement_mm"].get<std::vector<double>>();
@@ -61,26 +59,22 @@ inline Scene random_scene(std::mt19937& random, int k, rough::Index fewest, roug
     const Index nodes = fewest + static_cast<Index>(uniform(random) * static_cast<double>(more));
     const double length = std::pow(10, 4 * uniform(random) - 2);
     const bool periodic = scene.body.kernel == rough::Kernel::periodic;
-    scene.profile = {Eigen::VectorXd::Zero(nodes),
-                     length / static_cast<double>(periodic ? nodes : nodes - 1)};
+    scene.profile = {Eigen::VectorXd::Zero(nodes), length / static_cast<double>(periodic ? nodes : nodes - 1)};
     scene.body.effective_modulus = std::pow(10, 6 * uniform(random));
     scene.body.datum = length * (k % 2 ? 0.3 + 0.6 * uniform(random) : std::pow(10, uniform(random)));
     scene.body.strip_width = scene.profile.spacing * std::pow(10, 4 * uniform(random) - 2);
     const double decay = 0.5 + 1.5 * uniform(random);
     for (int wave = 1; wave < 30; ++wave) {
-        const double amplitude = length * std::pow(wave, -decay) * uniform(random),
-                     phase = 7 * uniform(random);
+        const double amplitude = length * std::pow(wave, -decay) * uniform(random), phase = 7 * uniform(random);
         for (Index i = 0; i < nodes; ++i)
             scene.profile.heights[i] +=
                 amplitude *
-                std::cos(6.283185307179586 * wave * static_cast<double>(i) * scene.profile.spacing / length +
-                         phase);
+                std::cos(6.283185307179586 * wave * static_cast<double>(i) * scene.profile.spacing / length + phase);
     }
     const double highest = scene.profile.heights.maxCoeff();
-    const double reach = periodic ? 0.95 * (highest - scene.profile.heights.mean())
-                                  : highest - scene.profile.heights.minCoeff();
-    for (int j = 1; j <= steps; ++j)
-        scene.displacements.push_back(reach * j / steps);
+    const double reach =
+        periodic ? 0.95 * (highest - scene.profile.heights.mean()) : highest - scene.profile.heights.minCoeff();
+    for (int j = 1; j <= steps; ++j) scene.displacements.push_back(reach * j / steps);
     return scene;
 }
 
@@ -88,15 +82,13 @@ inline Scene random_scene(std::mt19937& random, int k, rough::Index fewest, roug
 inline std::vector<double> load_steps(const rough::Profile& profile, int steps, double reach = 1) {
     const double range = profile.heights.maxCoeff() - profile.heights.minCoeff();
     std::vector<double> displacements;
-    for (int j = 1; j <= steps; ++j)
-        displacements.push_back(reach * j / steps * range);
+    for (int j = 1; j <= steps; ++j) displacements.push_back(reach * j / steps * range);
     return displacements;
 }
 
 /// Checks that a curve has the pressures, tangent stiffnesses and contact fractions of another one, the first
 /// two within a relative error.
-inline void check_same(const rough::ContactCurve& curve, const rough::ContactCurve& expected,
-                       double epsilon) {
+inline void check_same(const rough::ContactCurve& curve, const rough::ContactCurve& expected, double epsilon) {
     REQUIRE(curve.steps.size() == expected.steps.size());
     for (std::size_t j = 0; j < curve.steps.size(); ++j) {
         const rough::LoadStep &a = curve.steps[j], &b = expected.steps[j];

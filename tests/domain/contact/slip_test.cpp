@@ -48,8 +48,7 @@ DenseMatrix tangential_matrix(const Profile& profile, const Body& body) {
         const Layer& layer = body.layering.layers[0];
         const double nu = layer.poissons_ratio, length = dx * static_cast<double>(n);
         for (Index k = 0; k < n; ++k) {
-            const double q = 2 * pi * static_cast<double>(std::min(k, n - k)) / length,
-                         s = q * layer.thickness,
+            const double q = 2 * pi * static_cast<double>(std::min(k, n - k)) / length, s = q * layer.thickness,
                          full = (3 - 4 * nu) * std::cosh(2 * s) + 2 * s * s + 5 - 12 * nu + 8 * nu * nu,
                          wave = k == 0 ? layer.thickness * 2 * (1 + nu) / layer.modulus
                                        : 2 * (1 - nu * nu) / (layer.modulus * q) *
@@ -87,8 +86,7 @@ Eigen::VectorXd relaxed(const DenseMatrix& matrix, const Eigen::VectorXd& limit,
     return q;
 }
 
-const Body cases[] = {on_rigid(0.05, 10, 0.3), on_rigid(0.03, 2, 0.5), strip(0.02, 0.75, 0.5),
-                      strip(0.3, 1, 0.2)};
+const Body cases[] = {on_rigid(0.05, 10, 0.3), on_rigid(0.03, 2, 0.5), strip(0.02, 0.75, 0.5), strip(0.3, 1, 0.2)};
 
 } // namespace
 
@@ -97,8 +95,7 @@ TEST_CASE("partial slip of strips and layers is that of dense tangential influen
         const Profile profile = wavy(60, body.kernel == Kernel::periodic);
         const Response normal = respond(profile, body, {.steps = 4, .reach = 0.4});
         const PartialSlip slip = partial_slip(profile, body, normal, friction);
-        const ContactState state =
-            solve_contact(profile, body, {normal.displacement[3]}, {.states = true}).states[0];
+        const ContactState state = solve_contact(profile, body, {normal.displacement[3]}, {.states = true}).states[0];
         const DenseMatrix matrix = tangential_matrix(profile, body)(state.nodes, state.nodes);
         const Eigen::VectorXd limit = friction * state.pressure;
         const double cell = normal.pressure[3] / state.pressure.sum();
@@ -108,8 +105,7 @@ TEST_CASE("partial slip of strips and layers is that of dense tangential influen
         CHECK(slip.stiffness[0] ==
               Approx(cell * matrix.llt().solve(Eigen::VectorXd::Ones(limit.size())).sum()).epsilon(1e-6));
         for (Index k = 0; k < 4; ++k)
-            CHECK(slip.traction[k] ==
-                  Approx(cell * relaxed(matrix, limit, slip.displacement[k]).sum()).epsilon(1e-7));
+            CHECK(slip.traction[k] == Approx(cell * relaxed(matrix, limit, slip.displacement[k]).sum()).epsilon(1e-7));
         CHECK((slip.stick_fraction[0] == 1 && slip.stick_fraction[4] == 0 && slip.stiffness[4] == 0));
     }
 }

@@ -46,11 +46,10 @@ TEST_CASE("a law's genome is valid, within the law, and depends only on its numb
         }
     }
     CHECK(genes(drawn(law, 1)) != genes(drawn(law, 2)));
-    for (const auto& [bad, problem] :
-         {std::pair(GenomeDistribution{.gamma_from = 1}, "gamma"),
-          {{.series = 0}, "series 0 is out of range"},
-          {{.series = 17}, "series 17 is out of range"},
-          {{.series = 16, .ridges = 1000, .shortest = 1e-300}, "phases per genome"}})
+    for (const auto& [bad, problem] : {std::pair(GenomeDistribution{.gamma_from = 1}, "gamma"),
+                                       {{.series = 0}, "series 0 is out of range"},
+                                       {{.series = 17}, "series 17 is out of range"},
+                                       {{.series = 16, .ridges = 1000, .shortest = 1e-300}, "phases per genome"}})
         CHECK_THROWS_WITH(validate(bad), Catch::Contains(problem));
 }
 
@@ -79,9 +78,8 @@ TEST_CASE("a stopped build resumes to the same database, whatever the pieces") {
     {
         GenomeStore pieces = built(folder / "pieces.db", {.genomes = 25, .batch = 10});
         int batches = 0;
-        build(pieces, {.genomes = 50, .batch = 10, .threads = 1, .go_on = [&](std::uint64_t) {
-                           return ++batches < 2;
-                       }});
+        build(pieces,
+              {.genomes = 50, .batch = 10, .threads = 1, .go_on = [&](std::uint64_t) { return ++batches < 2; }});
         CHECK(pieces.stored() == 40);
         Span wanted{0, 50};
         CHECK(pieces.take(wanted, 10)); // a builder that is killed with its batch
@@ -112,15 +110,13 @@ TEST_CASE("two builders of one file share the work and store each genome once") 
     CHECK((first->first == 0 && second->first == 10));
     std::uint64_t other = 0;
     build(one, {.genomes = 40, .batch = 10, .go_on = [&](std::uint64_t) {
-                    if (other++ == 0)
-                        build(two, {.genomes = 40, .batch = 10});
+                    if (other++ == 0) build(two, {.genomes = 40, .batch = 10});
                     return true;
                 }});
     CHECK(one.stored() == 40);
     CHECK(other <= 2); // the second builder computed all other batches, with those taken above
     const auto index = two.curves().index;
-    for (std::size_t i = 0; i < index.size(); ++i)
-        CHECK(index[i] == i);
+    for (std::size_t i = 0; i < index.size(); ++i) CHECK(index[i] == i);
     const std::vector<Response> more{response_for(small_setup(), 40)};
     CHECK((one.add({40, 1}, more) && !two.add({40, 1}, more))); // only the first stores it
 }
@@ -130,10 +126,8 @@ TEST_CASE("responses computed elsewhere in any order give the same database") {
     const auto backwards = [&](const DatabaseSetup& of, const Orders& orders) {
         CHECK(orders.count == 45);
         std::vector<std::uint64_t> all;
-        while (const auto next = orders.next())
-            all.push_back(*next);
-        for (auto i = all.rbegin(); i != all.rend(); ++i)
-            orders.take(*i, response_for(of, *i));
+        while (const auto next = orders.next()) all.push_back(*next);
+        for (auto i = all.rbegin(); i != all.rend(); ++i) orders.take(*i, response_for(of, *i));
     };
     check_same(built(folder / "other.db", {.genomes = 45, .batch = 10, .computing = backwards}),
                built(folder / "whole.db", {.genomes = 45, .batch = 10}));
@@ -164,8 +158,7 @@ TEST_CASE("merged databases hold each genome once, and others are refused with t
                                         {"none.db", "none.db: does not exist"},
                                         {"forged.db", "forged.db: genome 0 is not its law's"}})
         CHECK_THROWS_WITH(merge({folder / "a.db", folder / file}, folder / "e.db"), Catch::Contains(problem));
-    for (const std::string& name : folder.names())
-        CHECK((name != "e.db" && name.find("tmp") == std::string::npos));
+    for (const std::string& name : folder.names()) CHECK((name != "e.db" && name.find("tmp") == std::string::npos));
 }
 
 TEST_CASE("a database of another set-up is refused with the difference and stays unchanged") {
@@ -193,14 +186,12 @@ TEST_CASE("a file that is not a genome database is refused") {
     };
     refuses(folder / "none.db", "none.db");
     refuses(folder.write("text.db", std::string(5000, 'x')), "not a genome database");
-    SQLite::Database(folder / "other.db", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE)
-        .exec("CREATE TABLE t(a)");
+    SQLite::Database(folder / "other.db", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE).exec("CREATE TABLE t(a)");
     refuses(folder / "other.db", "not a genome database");
     CHECK_THROWS_AS(GenomeStore::create(folder / "other.db", small_setup()), InputError);
     CHECK_THROWS_AS(GenomeStore::create(folder / "missing" / "a.db", small_setup()), InputError);
     for (const char* name : {":memory:", "file:x?mode=memory", ""}) // places in memory for SQLite
-        CHECK_THROWS_WITH(GenomeStore::create(name, small_setup()),
-                          Catch::Contains("is not the name of a file"));
+        CHECK_THROWS_WITH(GenomeStore::create(name, small_setup()), Catch::Contains("is not the name of a file"));
     const fs::path empty = folder.write("empty.db", "");
     CHECK_FALSE((GenomeStore::begun(empty) || GenomeStore::begun(folder / "none.db")));
     CHECK_NOTHROW(GenomeStore::create(empty, small_setup()));
@@ -218,10 +209,9 @@ TEST_CASE("a database with any alteration is refused") {
           "UPDATE contact SET numbers = zeroblob(length(numbers)) WHERE first = 8",
           "UPDATE batch SET count = 3 WHERE first = 4", "UPDATE batch SET count = -4 WHERE first = 4",
           "UPDATE batch SET count = 4000000000", "UPDATE pressure SET first = 100 WHERE first = 4",
-          "UPDATE setup SET value = '65' WHERE name = 'nodes'",
-          "UPDATE setup SET value = '-1' WHERE name = 'steps'", "DELETE FROM pressure WHERE first = 8",
-          "DELETE FROM setup WHERE name = 'checksum'", "CREATE VIEW v AS SELECT 1",
-          "CREATE TRIGGER t AFTER INSERT ON batch BEGIN DELETE FROM genome; END",
+          "UPDATE setup SET value = '65' WHERE name = 'nodes'", "UPDATE setup SET value = '-1' WHERE name = 'steps'",
+          "DELETE FROM pressure WHERE first = 8", "DELETE FROM setup WHERE name = 'checksum'",
+          "CREATE VIEW v AS SELECT 1", "CREATE TRIGGER t AFTER INSERT ON batch BEGIN DELETE FROM genome; END",
           "PRAGMA user_version = 1"}) {
         INFO(change);
         const fs::path bad = folder / "bad.db";

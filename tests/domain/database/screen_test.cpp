@@ -12,8 +12,7 @@ using tests::Folder;
 namespace {
 
 /// Five points of the curve of a response times `factor`, up to the share `reach` of its end.
-Target goal_of(const Response& response, double factor, double reach,
-               Quantity quantity = Quantity::stiffness) {
+Target goal_of(const Response& response, double factor, double reach, Quantity quantity = Quantity::stiffness) {
     const Curve curve = curve_of(quantity, scaled(response, factor));
     return target_at(quantity, "a stored genome", PointPlacement{5}.up_to(reach * curve.to),
                      [&](double x) { return curve.at(x); });
@@ -27,9 +26,8 @@ TEST_CASE("screening by Eq. 11 ranks genomes by similarity, on any number of thr
     const GenomeStore store = built(folder / "genomes.db", {.genomes = 200});
     const double max_pressure = 1.6e-4;
     const auto factor = [&](std::uint64_t g) { return max_pressure / response_for(setup, g).pressure[7]; };
-    std::vector<Target> targets{
-        goal_of(response_for(setup, 123), factor(123), 0.9),
-        goal_of(response_for(setup, 123), factor(123), 0.9, Quantity::area_at_pressure)};
+    std::vector<Target> targets{goal_of(response_for(setup, 123), factor(123), 0.9),
+                                goal_of(response_for(setup, 123), factor(123), 0.9, Quantity::area_at_pressure)};
     targets[1].weight = 0.5;
     targets[0].lower = 0.98 * targets[0].y, targets[0].upper = 1.01 * targets[0].y;
     std::vector<std::pair<double, std::uint64_t>> expected;
@@ -65,8 +63,8 @@ TEST_CASE("screening with free amplitude finds a stored genome and its amplitude
     const DatabaseSetup setup = small_setup();
     const GenomeStore store = built(folder / "genomes.db", {.genomes = 200});
     const StoredCurves curves = store.curves(true);
-    for (const auto quantity : {Quantity::stiffness, Quantity::area_at_displacement,
-                                Quantity::load_at_displacement, Quantity::interface_stiffness})
+    for (const auto quantity : {Quantity::stiffness, Quantity::area_at_displacement, Quantity::load_at_displacement,
+                                Quantity::interface_stiffness})
         for (const double reach : {0.95, 0.4, 0.2}) {
             if (quantity == Quantity::area_at_displacement && reach < 0.9)
                 continue; // many genomes have the same few touching nodes
@@ -78,8 +76,7 @@ TEST_CASE("screening with free amplitude finds a stored genome and its amplitude
             CHECK(matches[0].similarity > 0.999);
             for (const Match& match : matches) {
                 const Response response = scaled(response_for(setup, match.index), match.scale);
-                CHECK(match.similarity ==
-                      Approx(similarity(target, curve_of(quantity, response))).epsilon(1e-9));
+                CHECK(match.similarity == Approx(similarity(target, curve_of(quantity, response))).epsilon(1e-9));
             }
         }
 }
@@ -89,8 +86,7 @@ TEST_CASE("a genome without a response, or whose curve ends too early, is not ma
     const DatabaseSetup setup = small_setup();
     const GenomeStore store = built(folder / "genomes.db", {.genomes = 20});
     const double max_pressure = response_for(setup, 7).pressure[7];
-    for (const Quantity quantity :
-         {Quantity::stiffness, Quantity::area_at_pressure, Quantity::area_at_displacement}) {
+    for (const Quantity quantity : {Quantity::stiffness, Quantity::area_at_pressure, Quantity::area_at_displacement}) {
         const Target target = goal_of(response_for(setup, 7), 1, 0.9, quantity);
         for (const ScreenOptions& options : {ScreenOptions{}, ScreenOptions{.max_pressure = max_pressure}}) {
             StoredCurves curves = store.curves(true);
@@ -102,8 +98,7 @@ TEST_CASE("a genome without a response, or whose curve ends too early, is not ma
             }
             const auto matches = screen(curves, setup.model, {target}, {options.max_pressure, 20});
             CHECK((!matches.empty() && matches.size() <= 18));
-            for (const Match& match : matches)
-                CHECK((match.index != 7 && match.index != 12 && match.similarity < 1));
+            for (const Match& match : matches) CHECK((match.index != 7 && match.index != 12 && match.similarity < 1));
         }
     }
     Target none = goal_of(response_for(setup, 7), 1, 0.9);
@@ -139,15 +134,13 @@ TEST_CASE("stored starts meet targets at every length and modulus, and another m
             CHECK(stretched.pressure[j] == Approx(scale * response_for(setup, 7).pressure[j]).epsilon(1e-9));
             CHECK(stretched.contact_fraction[j] == response_for(setup, 7).contact_fraction[j]);
         }
-        design.targets = {goal_of(stretched, 0.02, 0.9),
-                          goal_of(stretched, 0.02, 0.9, Quantity::area_at_pressure)};
+        design.targets = {goal_of(stretched, 0.02, 0.9), goal_of(stretched, 0.02, 0.9, Quantity::area_at_pressure)};
         const auto starts = stored_starts(store, design, 4);
         REQUIRE(starts.size() == 4);
         for (const Target& target : design.targets)
             CHECK(similarity(target, curve_of(target.quantity, respond(starts[0], design.model))) > 0.999);
         design.max_pressure = 0.02 * stretched.pressure[7];
-        CHECK(respond(stored_starts(store, design, 1)[0], design.model).pressure[7] ==
-              Approx(*design.max_pressure));
+        CHECK(respond(stored_starts(store, design, 1)[0], design.model).pressure[7] == Approx(*design.max_pressure));
         if (kernel == Kernel::free) {
             design.targets[0].weight = 2;
             CHECK_THROWS_WITH(stored_answers(store, design, 1), Catch::Contains("weight 2 is out of range"));

@@ -26,8 +26,7 @@ inline GenomeStore built(const std::filesystem::path& file, const BuildOptions& 
 inline void read_all(const std::filesystem::path& file) {
     const GenomeStore store = GenomeStore::open(file);
     store.curves(true);
-    for (const Span& span : store.batches())
-        store.responses(span);
+    for (const Span& span : store.batches()) store.responses(span);
 }
 
 } // namespace rough::testing

@@ -53,8 +53,8 @@ TEST_CASE("alternatives differ, are as many as requested, and are verified on fi
     const DesignSetup reported = as_reported(setup);
     // The second is nearly the first, the third its mirror image, the last one higher.
     SearchOptions options{.pipeline = "score | best 6",
-                          .starts = {waves_of(0.3, 1), waves_of(0.301, 1), waves_of(-0.3, -1),
-                                     waves_of(0.3, 2.2), waves_of(0.3, 0.2), waves_of(0.3, 1, 0.011)},
+                          .starts = {waves_of(0.3, 1), waves_of(0.301, 1), waves_of(-0.3, -1), waves_of(0.3, 2.2),
+                                     waves_of(0.3, 0.2), waves_of(0.3, 1, 0.011)},
                           .threads = 1};
     for (const std::size_t requested : {1u, 2u, 3u, 5u}) {
         options.alternatives = requested;
@@ -65,8 +65,7 @@ TEST_CASE("alternatives differ, are as many as requested, and are verified on fi
         std::vector<Profile> before;
         for (const Answer& answer : found.alternatives) {
             const Profile profile = sample(answer.genome, setup.model.grid);
-            for (const Profile& other : before)
-                CHECK(difference(profile, other) >= different);
+            for (const Profile& other : before) CHECK(difference(profile, other) >= different);
             before.push_back(profile);
             CHECK(answer.similarity == Approx(similarity(reported, answer.genome, 1)).epsilon(1e-9));
             CHECK(answer.refined == Approx(similarity(reported, answer.genome, 4)).epsilon(1e-9));
@@ -74,8 +73,7 @@ TEST_CASE("alternatives differ, are as many as requested, and are verified on fi
             CHECK(answer.lowest() == answer.worst);
             CHECK(answer.lowest() <= answer.both);
         }
-        if (requested > 1)
-            CHECK(found.alternatives[1].difference == Approx(difference(before[0], before[1])));
+        if (requested > 1) CHECK(found.alternatives[1].difference == Approx(difference(before[0], before[1])));
     }
 }
 
@@ -110,9 +108,8 @@ TEST_CASE("an area's answer without time to verify it has a curve and a note", "
         CHECK(best.similarity == similarity(setup, own));
         CHECK(best.similarity == Approx(similarity(setup, best.genome)).margin(1e-5));
         CHECK(own.responses[0].pressure.tail(1)[0] == Approx(1.6e-4));
-        CHECK(std::any_of(found.notes.begin(), found.notes.end(), [](const std::string& note) {
-            return note.find("lack of time") != std::string::npos;
-        }));
+        CHECK(std::any_of(found.notes.begin(), found.notes.end(),
+                          [](const std::string& note) { return note.find("lack of time") != std::string::npos; }));
         const Trust verified = trust_in(setup, best.genome, {.phase_draws = 0}, &best, &own);
         CHECK(verified.left_out == std::vector<std::string>{"4 times the nodes", "4 times the load steps"});
         CHECK(std::all_of(verified.checks.begin(), verified.checks.end(),
@@ -123,10 +120,9 @@ TEST_CASE("an area's answer without time to verify it has a curve and a note", "
 
 TEST_CASE("an area's search that is stopped verifies nothing and counts no failure", "[areas]") {
     std::atomic<bool> stop = false;
-    const SearchResult found =
-        search(drawn(24, true), {.stop = &stop, .alternatives = 1}, {[&](const ga::Event<Genome>& event) {
-                   stop = stop || event.path.find("/refine") != std::string::npos;
-               }});
+    const SearchResult found = search(
+        drawn(24, true), {.stop = &stop, .alternatives = 1},
+        {[&](const ga::Event<Genome>& event) { stop = stop || event.path.find("/refine") != std::string::npos; }});
     CHECK(stop);
     CHECK_FALSE(found.best.is_verified());
     CHECK(found.best.on_finer.empty());

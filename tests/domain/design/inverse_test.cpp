@@ -33,13 +33,11 @@ TEST_CASE("any order of nodes and any advance have a surface", "[areas]") {
                 const Index nodes = is_map ? 42 : 24 + 3 * scene;
                 const Body body{kernel, 1.7, paper_length, 0.002};
                 Profile surface = paper_line(nodes, kernel == Kernel::periodic);
-                if (is_map)
-                    surface.spacing = 0.1, surface.rows = 6, surface.row_spacing = 0.13;
+                if (is_map) surface.spacing = 0.1, surface.rows = 6, surface.row_spacing = 0.13;
                 std::vector<int> order = outwards(nodes, 0);
                 std::shuffle(order.begin(), order.end(), random);
                 std::vector<double> steps(static_cast<std::size_t>(nodes));
-                for (double& step : steps)
-                    step = std::uniform_real_distribution<double>(0.1e-5, 1e-5)(random);
+                for (double& step : steps) step = std::uniform_real_distribution<double>(0.1e-5, 1e-5)(random);
                 Eigen::VectorXd stiffness;
                 const InverseProfile inverse = inverse_profile(
                     surface, body, order,
@@ -52,16 +50,14 @@ TEST_CASE("any order of nodes and any advance have a surface", "[areas]") {
                 std::vector<double> displacements;
                 for (std::size_t k = 0; k + 1 < inverse.entry.size(); ++k)
                     displacements.push_back(0.5 * (inverse.entry[k] + inverse.entry[k + 1]));
-                if (kernel == Kernel::periodic)
-                    displacements.pop_back(); // the last node closes full contact
+                if (kernel == Kernel::periodic) displacements.pop_back(); // the last node closes full contact
                 const ContactCurve curve =
                     solve_contact(inverse.profile, body, displacements, {.states = true, .stop = {}});
                 for (std::size_t k = 0; k < displacements.size(); ++k) {
                     const auto end = order.begin() + static_cast<long>(k) + 1;
                     REQUIRE(std::is_permutation(order.begin(), end, curve.states[k].nodes.begin(),
                                                 curve.states[k].nodes.end()));
-                    CHECK(curve.steps[k].tangent_stiffness ==
-                          Approx(stiffness[static_cast<Index>(k)]).epsilon(1e-9));
+                    CHECK(curve.steps[k].tangent_stiffness == Approx(stiffness[static_cast<Index>(k)]).epsilon(1e-9));
                 }
             }
 }
@@ -83,8 +79,7 @@ TEST_CASE("the inverse of a rising stiffness curve has that curve, for every ker
             },
             infinity, infinity);
         target.y = least + (most - least) * (target.x.array() / target.x[19]).sqrt();
-        InverseProfile inverse =
-            inverse_profile(surface, body, order, advance_for(target, nodes), 1.6e-4, infinity);
+        InverseProfile inverse = inverse_profile(surface, body, order, advance_for(target, nodes), 1.6e-4, infinity);
         CHECK(inverse.last_pressure == Approx(1.6e-4));
         const Response response =
             respond(inverse.profile, body, {.steps = 80, .to_displacement = inverse.last_displacement});
@@ -109,8 +104,7 @@ TEST_CASE("starts on a periodic body are near their target, with Eq. 11 and with
     for (const auto& [target, max_pressure] :
          {std::pair(rising, 0.0), {concave, 0.0}, {concave, 1.6e-4}, {point, 0.0}}) {
         DesignSetup setup{.model = completed({.body = {Kernel::periodic}}), .targets = {target}};
-        if (max_pressure > 0)
-            setup.max_pressure = max_pressure;
+        if (max_pressure > 0) setup.max_pressure = max_pressure;
         int near = 0;
         for (std::uint64_t key = 0; key < 8; ++key)
             near += similarity(setup, shaped_start(setup, ga::Stream(key))) > 0.8;
@@ -129,9 +123,9 @@ TEST_CASE("the inverse meets interface stiffness, load and contact fraction") {
         target.y = quantity == Quantity::load_at_displacement  ? Eigen::VectorXd(8e-5 * t + 4e-5 * t.square())
                    : quantity == Quantity::interface_stiffness ? Eigen::VectorXd(0.5 + 40 * t)
                                                                : Eigen::VectorXd(0.05 + 0.5 * t);
-        const InverseProfile inverse = inverse_profile(
-            paper_line(nodes), body, outwards(nodes, 120), advance_for(target, nodes),
-            target.against_pressure() ? 2e-4 : infinity, target.against_pressure() ? infinity : 2e-4);
+        const InverseProfile inverse =
+            inverse_profile(paper_line(nodes), body, outwards(nodes, 120), advance_for(target, nodes),
+                            target.against_pressure() ? 2e-4 : infinity, target.against_pressure() ? infinity : 2e-4);
         const Response response =
             respond(inverse.profile, body, {.steps = 80, .to_displacement = inverse.last_displacement});
         INFO("quantity " << int(quantity)); // interface stiffness needs contact of 96 %
@@ -158,7 +152,6 @@ TEST_CASE("waves fitted to a surface of these waves reproduce it", "[areas]") {
     for (const bool periodic : {false, true}) {
         const Grid grid{14, paper_length, periodic, 0, 12, 0.8};
         const Genome genome = testing::random_genome(random, 1, 4, paper_length, 0.3);
-        check(grid, genome,
-              [&](const Profile& map) { return shaped_as(map, genome.series[0], 4, grid, 0.3, 1e-12); });
+        check(grid, genome, [&](const Profile& map) { return shaped_as(map, genome.series[0], 4, grid, 0.3, 1e-12); });
     }
 }

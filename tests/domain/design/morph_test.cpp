@@ -21,8 +21,7 @@ DesignSetup like_another(const Genome& wanted, std::optional<double> max_pressur
     DesignSetup setup{.model = model,
                       .targets = {target_like(sample(wanted, model.grid), model, "wanted")},
                       .max_pressure = max_pressure};
-    if (max_pressure)
-        setup.targets[0].x *= *max_pressure / setup.targets[0].last();
+    if (max_pressure) setup.targets[0].x *= *max_pressure / setup.targets[0].last();
     return setup;
 }
 
@@ -34,8 +33,7 @@ Genome moved(Genome genome, int n, double by) {
 
 double squares(const Morphed& morphed) {
     double sum = 0;
-    for (const PhaseChange& change : morphed.changes)
-        sum += std::pow(change.after - change.before, 2);
+    for (const PhaseChange& change : morphed.changes) sum += std::pow(change.after - change.before, 2);
     return sum;
 }
 
@@ -56,8 +54,7 @@ TEST_CASE("a drifted surface meets its target again after at most as large a cha
         CHECK(back.changes[1].n == 4);
         auto before = genes(drifted), after = genes(back.genome);
         for (std::size_t g = 1; g < before.size(); ++g) // A carries the scale
-            if (g != 5 && g != 7)
-                CHECK(before[g] == after[g]);
+            if (g != 5 && g != 7) CHECK(before[g] == after[g]);
     }
 }
 
@@ -84,13 +81,11 @@ TEST_CASE("points that the chromosomes cannot meet are named, and phases keep th
     CHECK(nearer.after < default_required_similarity);
     REQUIRE(!nearer.missed.empty());
     double worst = 0;
-    for (const MissedPoint& missed : nearer.missed)
-        worst = std::max(worst, std::abs(missed.misfit));
+    for (const MissedPoint& missed : nearer.missed) worst = std::max(worst, std::abs(missed.misfit));
     CHECK(worst == Approx(1 - nearer.after).epsilon(1e-12));
     for (const PhaseChange& change : nearer.changes)
         CHECK(std::abs(change.after - change.before) <= 2 * std::numbers::pi * limit * (1 + 1e-12));
-    CHECK(std::count_if(nearer.changes.begin(), nearer.changes.end(), std::mem_fn(&PhaseChange::at_limit)) >
-          0);
+    CHECK(std::count_if(nearer.changes.begin(), nearer.changes.end(), std::mem_fn(&PhaseChange::at_limit)) > 0);
 }
 
 TEST_CASE("a surface that meets its target is not changed") {

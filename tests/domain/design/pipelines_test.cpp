@@ -9,8 +9,7 @@ using testing::drawn;
 
 namespace {
 
-std::string found_by(const DesignSetup& setup, const std::string& pipeline, long evaluations,
-                     int threads = 1) {
+std::string found_by(const DesignSetup& setup, const std::string& pipeline, long evaluations, int threads = 1) {
     const SearchOptions options{
         .pipeline = pipeline, .threads = threads, .evaluations = evaluations, .alternatives = 1};
     return shape_key(search(setup, options).best.genome);
@@ -29,8 +28,7 @@ TEST_CASE("every named variant finds the same genome by its name and by its text
             setup.measured = name.ends_with("like")
                                  ? std::optional(sample(shaped_start(setup, ga::Stream(3)), setup.model.grid))
                                  : std::nullopt;
-            const std::string run =
-                search(setup, {.pipeline = name, .seconds = 0, .evaluations = 1}).pipeline;
+            const std::string run = search(setup, {.pipeline = name, .seconds = 0, .evaluations = 1}).pipeline;
             const std::string by_name = found_by(setup, name, 120);
             CHECK(found_by(setup, text, 120, 2) == by_name);
             CHECK(found_by(setup, run, 120) == by_name);
@@ -40,11 +38,10 @@ TEST_CASE("every named variant finds the same genome by its name and by its text
 
 TEST_CASE("a coarser grid is paid for from the run's budget of evaluations") {
     for (const long budget : {1L, 17L, 30L}) {
-        const SearchResult found =
-            search(drawn(16, true),
-                   {.pipeline = "coarser 1 { shape 4 | score | refine lm 5 } | score | refine lm 20 | best 1",
-                    .evaluations = budget,
-                    .alternatives = 1});
+        const SearchResult found = search(
+            drawn(16, true), {.pipeline = "coarser 1 { shape 4 | score | refine lm 5 } | score | refine lm 20 | best 1",
+                              .evaluations = budget,
+                              .alternatives = 1});
         CHECK(found.counters.requested_price <= static_cast<double>(budget));
         CHECK(found.counters.requested_price > static_cast<double>(budget) - 2);
         CHECK(found.stopped == "evaluation budget spent");
@@ -54,8 +51,7 @@ TEST_CASE("a coarser grid is paid for from the run's budget of evaluations") {
 TEST_CASE("the default search restarts until an answer has the required similarity") {
     DesignSetup setup = drawn(64);
     const auto cost = [&](const char* pipeline, double price) {
-        return search(setup, {.pipeline = pipeline, .evaluations = static_cast<long>(price)})
-            .counters.requested_price;
+        return search(setup, {.pipeline = pipeline, .evaluations = static_cast<long>(price)}).counters.requested_price;
     };
     const double once = cost("pass", 1000000);
     setup.required_similarity = -1;
@@ -81,8 +77,7 @@ TEST_CASE("only an answer outside the limits on shape is changed to keep them") 
     const Answer free = search(setup, options).best;
     const auto slope = [&](const Genome& genome) {
         for (const Margin& margin : margins(genome, setup.model.grid, setup.limits))
-            if (margin.name == "slope")
-                return margin.value;
+            if (margin.name == "slope") return margin.value;
         return 0.0;
     };
     const double steep = slope(free.genome);
@@ -114,8 +109,7 @@ TEST_CASE("a body that cannot work is refused in every block before anything is 
         if (entry.bodies > 0) {
             INFO(entry.name);
             std::string block = entry.name == "until" ? "until generations 2" : entry.name;
-            for (const auto& parameter : entry.parameters)
-                block += parameter.standard ? "" : " 2";
+            for (const auto& parameter : entry.parameters) block += parameter.standard ? "" : " 2";
             refused(block + " { best 1 }");
         }
     for (const std::string block : {"corrected", "coarser 2"}) { // other problems, whose fitness is another

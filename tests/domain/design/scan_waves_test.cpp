@@ -18,8 +18,7 @@ Eigen::VectorXd smoothed(double correlation, ga::Stream random) {
     const double h = grid.spacing();
     const auto reach = static_cast<Index>(3 * correlation / h);
     Eigen::VectorXd noise(grid.nodes + 2 * reach), z = Eigen::VectorXd::Zero(grid.nodes);
-    for (double& one : noise)
-        one = random.normal();
+    for (double& one : noise) one = random.normal();
     for (Index j = -reach; j <= reach; ++j) {
         const double t = static_cast<double>(j) * h / correlation;
         z += std::exp(-t * t) * noise.segment(reach + j, grid.nodes);
@@ -69,8 +68,7 @@ Profile walk(std::uint64_t seed) {
     ga::Stream random(seed);
     Eigen::VectorXd z(grid.nodes);
     double height = 0;
-    for (double& one : z)
-        one = height += 1e-4 * random.normal();
+    for (double& one : z) one = height += 1e-4 * random.normal();
     return {detrended({z, grid.spacing()}, Detrend::line), grid.spacing()};
 }
 
@@ -92,8 +90,8 @@ std::vector<std::pair<std::string, Profile>> all() {
 namespace {
 
 /// Stiffness and contact area of a scan as targets, on a grid with these nodes.
-DesignSetup like_scan(const Profile& scan, std::optional<Index> nodes, double length,
-                      Kernel kernel = Kernel::free, Resolution resolution = Resolution::off) {
+DesignSetup like_scan(const Profile& scan, std::optional<Index> nodes, double length, Kernel kernel = Kernel::free,
+                      Resolution resolution = Resolution::off) {
     const Model model{.grid = {scan.nodes(), length}, .body = {.kernel = kernel}};
     return design_like(scan, completed(model), "scan", likeness_named("both"), 20, nodes, resolution);
 }
@@ -118,12 +116,10 @@ TEST_CASE("the waves of a scan of few waves are these waves, on either body") {
 }
 
 TEST_CASE("refined waves of a scan have its stiffness and contact area") {
-    const DesignSetup setup =
-        like_scan(fractal_profile(ten_scans::grid, 0.8, 1e-3, 5), 512, ten_scans::grid.length);
+    const DesignSetup setup = like_scan(fractal_profile(ten_scans::grid, 0.8, 1e-3, 5), 512, ten_scans::grid.length);
     // The first stages of the variant `like`.
     const Answer answer =
-        search(setup, {.pipeline =
-                           "own 1 | score | refine lm 30 sharpen=8 | score verified | refine lm 30 sharpen=4",
+        search(setup, {.pipeline = "own 1 | score | refine lm 30 sharpen=8 | score verified | refine lm 30 sharpen=4",
                        .alternatives = 1})
             .best;
     CHECK(answer.lowest() > 0.85);
@@ -145,8 +141,7 @@ TEST_CASE("the variant like improves its answer until its evaluations are spent"
 TEST_CASE("at least eight of ten scans are met to 0.9 in stiffness and area together", "[long]") {
     int met = 0;
     for (const auto& [name, profile] : ten_scans::all()) {
-        const DesignSetup setup =
-            like_scan(profile, {}, ten_scans::grid.length, Kernel::free, Resolution::on);
+        const DesignSetup setup = like_scan(profile, {}, ten_scans::grid.length, Kernel::free, Resolution::on);
         // Up to 60 s on two cores.
         const SearchResult found = search(setup, {.pipeline = "like", .evaluations = 350});
         // Against the scan itself, at 16 times the load steps.

@@ -16,8 +16,7 @@ inline DesignSetup like_itself(const Genome& genome, double part = 1, Kernel ker
     const Model model = completed({.grid = {65, two_mm}, .body = {kernel}});
     const Profile profile = sample(genome, model.grid);
     const double last = secant_stiffness(respond(profile, model)).to;
-    return {.model = model,
-            .targets = {target_like(profile, model, "itself", Quantity::stiffness, {10, part * last})}};
+    return {.model = model, .targets = {target_like(profile, model, "itself", Quantity::stiffness, {10, part * last})}};
 }
 
 /// The drawn target on a line with these nodes, or on a map with these along either side.

@@ -5,8 +5,7 @@ using namespace rough;
 
 TEST_CASE("the drawn target is met to 0.99 from each seed", "[long]") {
     const DesignSetup setup = testing::drawn(512);
-    for (std::uint64_t seed = 1; seed <= 5; ++seed)
-        CHECK(search(setup, {.seed = seed}).best.lowest() >= 0.99);
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) CHECK(search(setup, {.seed = seed}).best.lowest() >= 0.99);
 }
 
 TEST_CASE("the variant atlas finds twenty different surfaces with one stiffness curve", "[long]") {
@@ -19,6 +18,5 @@ TEST_CASE("the variant atlas finds twenty different surfaces with one stiffness 
         profiles.push_back(sample(answer.genome, setup.model.grid));
     }
     for (std::size_t i = 0; i < profiles.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j)
-            CHECK(difference(profiles[i], profiles[j]) >= different);
+        for (std::size_t j = 0; j < i; ++j) CHECK(difference(profiles[i], profiles[j]) >= different);
 }

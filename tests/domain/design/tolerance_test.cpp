@@ -20,25 +20,22 @@ struct Case {
 
 /// A random genome of three waves with its stiffness as target, up to a part of the load. With 3 `quantities`
 /// every third target is its contact fraction. The genome's amplitude has the relative error `error`.
-Case design_of(std::uint64_t seed, Index nodes = 65, double error = 0, std::size_t quantities = 2,
-               Index rows = 1) {
+Case design_of(std::uint64_t seed, Index nodes = 65, double error = 0, std::size_t quantities = 2, Index rows = 1) {
     ga::Stream random(ga::fold(seed, "case"));
     const auto phase = [&] { return random.uniform(0, 2 * std::numbers::pi); };
-    const Genome genome{
-        random.uniform(0.001, 0.02),
-        {{1, random.uniform(0.6, 1), 1.5, two_mm, {{1, {phase()}}, {2, {phase()}}, {3, {phase()}}}}}};
-    const Model model = completed(
-        {.grid = {nodes, two_mm, false, 0, rows, rows > 1 ? two_mm : 0}, .body = {Kernel(seed % 3)}});
+    const Genome genome{random.uniform(0.001, 0.02),
+                        {{1, random.uniform(0.6, 1), 1.5, two_mm, {{1, {phase()}}, {2, {phase()}}, {3, {phase()}}}}}};
+    const Model model =
+        completed({.grid = {nodes, two_mm, false, 0, rows, rows > 1 ? two_mm : 0}, .body = {Kernel(seed % 3)}});
     const Profile profile = sample(genome, model.grid);
     Model loaded = model; // as a design is loaded
     loaded.loading.to_pressure = random.uniform(0.3, 0.8) * secant_stiffness(respond(profile, loaded)).to;
-    Case one{
-        {.model = model,
-         .targets = {target_like(profile, loaded, "itself",
-                                 std::array{Quantity::stiffness, Quantity::interface_stiffness,
-                                            Quantity::area_at_pressure}[seed / (quantities - 1) % quantities],
-                                 {10, loaded.loading.to_pressure})}},
-        genome};
+    Case one{{.model = model,
+              .targets = {target_like(profile, loaded, "itself",
+                                      std::array{Quantity::stiffness, Quantity::interface_stiffness,
+                                                 Quantity::area_at_pressure}[seed / (quantities - 1) % quantities],
+                                      {10, loaded.loading.to_pressure})}},
+             genome};
     one.genome.scale *= 1 + error;
     return one;
 }
@@ -68,14 +65,12 @@ bool holds_for_new_draws(const Case& one, const Tolerance& found) {
     const Eigen::MatrixXd factor = covariance.llt().matrixL();
     bool holds = true;
     for (const ToleranceLevel& level : found.levels) {
-        if (level.noise_rms == 0)
-            continue;
+        if (level.noise_rms == 0) continue;
         ga::Stream random(77);
         int kept = 0;
         for (int draw = 0; draw < 1000; ++draw) {
             Eigen::VectorXd white(grid.nodes);
-            for (double& height : white)
-                height = random.normal();
+            for (double& height : white) height = random.normal();
             kept += similarity_with(one, level.noise_rms * factor * white) >= level.similarity;
         }
         UNSCOPED_INFO(level.similarity << ": " << kept);
@@ -91,16 +86,13 @@ void check_tilts_and_scales(const Case& one, const Tolerance& found) {
     const double last = static_cast<double>(profile.nodes() - 1) * profile.spacing / two_mm;
     const Eigen::VectorXd slope = Eigen::VectorXd::LinSpaced(profile.nodes(), 0, last);
     for (const ToleranceLevel& level : found.levels)
-        for (const auto& [size, shape] :
-             {std::pair(level.tilt, slope), std::pair(level.scale, profile.heights)}) {
+        for (const auto& [size, shape] : {std::pair(level.tilt, slope), std::pair(level.scale, profile.heights)}) {
             INFO(level.similarity << ", " << size);
             REQUIRE((size > 0) == (level.similarity <= found.similarity));
-            if (size == 0)
-                continue;
-            for (int i = -100; i <= 100; ++i)
-                CHECK(similarity_with(one, i / 100. * size * shape) >= level.similarity);
-            CHECK(std::min(similarity_with(one, 1.02 * size * shape),
-                           similarity_with(one, -1.02 * size * shape)) < level.similarity);
+            if (size == 0) continue;
+            for (int i = -100; i <= 100; ++i) CHECK(similarity_with(one, i / 100. * size * shape) >= level.similarity);
+            CHECK(std::min(similarity_with(one, 1.02 * size * shape), similarity_with(one, -1.02 * size * shape)) <
+                  level.similarity);
         }
 }
 
@@ -108,31 +100,25 @@ void check_tilts_and_scales(const Case& one, const Tolerance& found) {
 
 TEST_CASE("height noise has rms 1 and a Gaussian autocorrelation, on lines and maps") {
     const double l = 0.25; // nodes are l/2 apart
-    for (const Grid& grid :
-         {Grid{17, two_mm}, Grid{16, two_mm, true}, Grid{16, two_mm, false, 0, 8, two_mm / 2}}) {
+    for (const Grid& grid : {Grid{17, two_mm}, Grid{16, two_mm, true}, Grid{16, two_mm, false, 0, 8, two_mm / 2}}) {
         std::vector<Eigen::VectorXd> fields;
-        for (std::uint64_t seed = 0; seed < 4000; ++seed)
-            fields.push_back(height_noise(grid, l, seed));
+        for (std::uint64_t seed = 0; seed < 4000; ++seed) fields.push_back(height_noise(grid, l, seed));
         const auto correlated = [&](Index i, Index j, double expected) {
             double sum = 0;
-            for (const Eigen::VectorXd& field : fields)
-                sum += field[i] * field[j];
+            for (const Eigen::VectorXd& field : fields) sum += field[i] * field[j];
             CHECK(sum / static_cast<double>(fields.size()) == Approx(expected).margin(0.07));
         };
         REQUIRE(fields[0].size() == grid.shape().nodes());
         for (const Index i : {0, 7})
-            for (const int apart : {0, 1, 2, 5})
-                correlated(i, i + apart, std::exp(-apart * apart / 4.));
+            for (const int apart : {0, 1, 2, 5}) correlated(i, i + apart, std::exp(-apart * apart / 4.));
         if (grid.is_2d())
-            for (const int apart : {0, 2})
-                correlated(3, 3 + 2 * grid.nodes + apart, std::exp(-1 - apart / 2.));
+            for (const int apart : {0, 2}) correlated(3, 3 + 2 * grid.nodes + apart, std::exp(-1 - apart / 2.));
         correlated(0, grid.nodes - 1, grid.periodic ? std::exp(-0.25) : 0);
     }
 }
 
 TEST_CASE("height noise of one seed is one field on every grid") {
-    for (const Grid& grid :
-         {Grid{17, two_mm}, Grid{16, two_mm, true}, Grid{9, two_mm, false, 0, 17, 2 * two_mm}}) {
+    for (const Grid& grid : {Grid{17, two_mm}, Grid{16, two_mm, true}, Grid{9, two_mm, false, 0, 17, 2 * two_mm}}) {
         const Index times = grid.has_cells() ? 3 : 2, first = grid.has_cells() ? 1 : 0;
         const Grid fine = refined(grid, times); // an odd number keeps the middle of each cell
         const Eigen::VectorXd coarse = height_noise(grid, 0.2, 5), finer = height_noise(fine, 0.2, 5);
@@ -148,8 +134,7 @@ TEST_CASE("the similarity of a map when made is the lowest under rising and fall
         Case one = design_of(seed, 17, 0, 2, 16);
         double lowest = 1;
         for (const Eigen::VectorXd& tilt : unit_tilts(one.setup.model.grid))
-            for (const double size : {0.01, -0.01})
-                lowest = std::min(lowest, similarity_with(one, size * tilt));
+            for (const double size : {0.01, -0.01}) lowest = std::min(lowest, similarity_with(one, size * tilt));
         one.setup.errors.tilt = 0.01;
         CHECK(similarity_under_errors(one.setup, one.genome) == Approx(lowest).epsilon(1e-9));
     }

@@ -25,16 +25,14 @@ bool flagged(const Trust& trust, const std::string& words) {
 
 double answer(const std::vector<Check>& checks, const std::string& name) {
     for (const Check& check : checks)
-        if (check.name == name)
-            return check.similarity;
+        if (check.name == name) return check.similarity;
     FAIL("no check '" << name << "'");
     return 0;
 }
 
 Model with_kernel(Model model, Kernel kernel) {
     model.body.kernel = kernel;
-    if (kernel == Kernel::periodic)
-        model.loading.reach = 0.95;
+    if (kernel == Kernel::periodic) model.loading.reach = 0.95;
     return completed(model);
 }
 
@@ -44,9 +42,7 @@ TEST_CASE("each check is the similarity under the change that it names") {
     const Genome genome = two_waves();
     const DesignSetup setup = like_itself(genome);
     const Trust trust = trust_in(setup, genome, without_draws());
-    const auto under = [&](const Model& changed) {
-        return similarity(setup, respond(setup, genome, changed));
-    };
+    const auto under = [&](const Model& changed) { return similarity(setup, respond(setup, genome, changed)); };
     REQUIRE(trust.checks.size() == 5);
     CHECK(trust.checks[0].name == "as designed");
     CHECK(trust.checks[0].similarity == under(setup.model));
@@ -77,8 +73,7 @@ TEST_CASE("targets moved with their datum are what a solve with that datum gives
     model.body.datum = two_mm;
     const Profile profile = sample(two_waves(), model.grid);
     const double most = respond(profile, model).pressure.tail(1)[0];
-    for (double share = 0.1; share < 0.85; share += 0.1)
-        model.loading.pressures.push_back(share * most);
+    for (double share = 0.1; share < 0.85; share += 0.1) model.loading.pressures.push_back(share * most);
     Model far = model;
     far.body.datum = 4 * two_mm;
     const Response near_by = respond(profile, model), far_off = respond(profile, far);

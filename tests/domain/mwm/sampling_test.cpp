@@ -53,8 +53,7 @@ TEST_CASE("a profile is the sum of the cosines of all ridges") {
             const Grid grid{512, 0.84942, false};
             const Profile profile = sample(genome, grid);
             double bound = 0;
-            for (const Wave& wave : waves(genome))
-                bound += std::abs(wave.amplitude) + std::abs(wave.offset);
+            for (const Wave& wave : waves(genome)) bound += std::abs(wave.amplitude) + std::abs(wave.offset);
             for (Index i = 0; i < 512; i += 7) {
                 const double x = static_cast<double>(i) * grid.spacing();
                 CHECK(std::abs(profile.heights[i] - height_as_printed(genome, x, 0, false)) < 1e-12 * bound);
@@ -121,8 +120,7 @@ TEST_CASE("a malformed genome is refused with its place and fault") {
         {"\"n\":1", "\"n\":0", "n is 0"},
         {"[0.3]", "[]", "no phases"},
         {"[{\"n\":1,\"phases\":[0.3]}]", "[]", "no chromosomes"},
-        {"{\"n\":1,\"phases\":[0.3]}", "{\"n\":1,\"phases\":[0.3]},{\"n\":1,\"phases\":[0.3]}",
-         "given twice"},
+        {"{\"n\":1,\"phases\":[0.3]}", "{\"n\":1,\"phases\":[0.3]},{\"n\":1,\"phases\":[0.3]}", "given twice"},
     };
     for (const auto& [from, to, expected] : cases) {
         std::string text = good;
@@ -132,8 +130,7 @@ TEST_CASE("a malformed genome is refused with its place and fault") {
                           Catch::StartsWith("g.json: ") && Catch::Contains(expected));
     }
     CHECK_THROWS_AS(read_genome("/no/such/file.json"), InputError);
-    CHECK_THROWS_WITH(read_genome(RUGOSA_SOURCE "/experiments/targets/drawn.csv"),
-                      Catch::Contains("not a genome"));
+    CHECK_THROWS_WITH(read_genome(RUGOSA_SOURCE "/experiments/targets/drawn.csv"), Catch::Contains("not a genome"));
 }
 
 TEST_CASE("on a map every ridge is a plane wave in its direction", "[areas]") {
@@ -145,16 +142,14 @@ TEST_CASE("on a map every ridge is a plane wave in its direction", "[areas]") {
     for (const Index node : {0, 17, 200, 431, 712}) {
         const double x = grid.spacing() * (static_cast<double>(node % 31) + 0.5),
                      y = grid.row_spacing() * (static_cast<double>(node / 31) + 0.5);
-        CHECK(map.heights[node] ==
-              Approx(height_as_printed(genome, x, y, true)).epsilon(1e-10).margin(1e-15));
+        CHECK(map.heights[node] == Approx(height_as_printed(genome, x, y, true)).epsilon(1e-10).margin(1e-15));
     }
 }
 
 TEST_CASE("on a periodic map wave vectors are the nearest of the lattice, but not zero", "[areas]") {
     std::mt19937_64 random(22);
     const Genome genome = random_genome(random, 2, 5, 0.84942, 0.02);
-    const auto moved = plane_waves(genome, area(64, 48, true)),
-               free = plane_waves(genome, area(64, 48, false));
+    const auto moved = plane_waves(genome, area(64, 48, true)), free = plane_waves(genome, area(64, 48, false));
     for (std::size_t w = 0; w < moved.size(); ++w) {
         const double i = moved[w].k_x * 0.84942 / (2 * pi), j = moved[w].k_y * 0.7 / (2 * pi);
         CHECK(std::abs(i - std::round(i)) < 1e-9);
@@ -198,11 +193,9 @@ TEST_CASE("a one-point cross-over exchanges only the short waves, and a uniform 
     cross_points(a, b, 1, stream);
     CHECK(a.series[0].chromosomes[0].phases == longest);
     REQUIRE(a.series.size() == 2);
-    if (waves(a).size() >= waves(b).size())
-        CHECK(a.series[1].chromosomes.back().phases == shortest);
+    if (waves(a).size() >= waves(b).size()) CHECK(a.series[1].chromosomes.back().phases == shortest);
     int held = 0;
-    for (int i = 0; i < 400; cross_uniform(a, b, stream), ++i)
-        held += a.series[0].chromosomes[0].phases == longest;
+    for (int i = 0; i < 400; cross_uniform(a, b, stream), ++i) held += a.series[0].chromosomes[0].phases == longest;
     CHECK(std::abs(held - 200) < 40); // four standard errors
 }
 

@@ -24,8 +24,7 @@ TEST_CASE("the Sobol database has the pairs and phases of the reference") {
         const auto index = static_cast<std::size_t>(std::stoi(cell)) - 1;
         std::vector<double> values;
         while (std::getline(cells, cell, ','))
-            if (!cell.empty())
-                values.push_back(std::stod(cell));
+            if (!cell.empty()) values.push_back(std::stod(cell));
         if (kind == "pair_H_gamma") {
             CHECK(pairs.at(index).first == Approx(values[0]).epsilon(1e-15));
             CHECK(pairs.at(index).second == Approx(values[1]).epsilon(1e-15));

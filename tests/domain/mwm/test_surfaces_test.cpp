@@ -73,8 +73,7 @@ TEST_CASE("octave bands add up to the profile, and a cosine is in one of them") 
         CHECK((sum - profile.heights).cwiseAbs().maxCoeff() < 1e-13);
     }
     // half-sample symmetric, so one component of the even continuation
-    const Profile cosine =
-        sampled({256, 1, true}, [](double x) { return std::cos(M_PI * 12 * (x + 0.5 / 256)); });
+    const Profile cosine = sampled({256, 1, true}, [](double x) { return std::cos(M_PI * 12 * (x + 0.5 / 256)); });
     for (const Band& band : octave_bands(cosine)) {
         const double wave_length = 2.0 / 12;
         const bool holds = wave_length <= band.longest && wave_length > band.shortest;

@@ -17,9 +17,8 @@ void check_paths(const UnitBody& body, Extent shape) {
         Eigen::VectorXd sums = Eigen::VectorXd::Zero(nodes);
         for (Index i = 0; i < nodes; ++i)
             for (Index k = 0; k < nodes; ++k)
-                sums[i] +=
-                    pressure[k] * column[std::abs(i / shape.columns - k / shape.columns) * shape.columns +
-                                         std::abs(i % shape.columns - k % shape.columns)];
+                sums[i] += pressure[k] * column[std::abs(i / shape.columns - k / shape.columns) * shape.columns +
+                                                std::abs(i % shape.columns - k % shape.columns)];
         return sums;
     };
     Eigen::VectorXd expected = direct(p);
@@ -59,8 +58,7 @@ TEST_CASE("every method of applying the influence matrix gives its direct sums",
         }
         for (const Extent shape :
              {Extent{2, 3}, Extent{16, 9}, Extent{7, 70}, Extent{70, 5}, Extent{70, 1}, Extent{1, 12}}) {
-            if (kernel == Kernel::strip)
-                continue;
+            if (kernel == Kernel::strip) continue;
             INFO(static_cast<int>(kernel) << ", " << shape.columns << " x " << shape.rows);
             check_paths({kernel, 0.7}, shape);
         }

@@ -37,8 +37,7 @@ TEST_CASE("the empirical distribution steps at each value and counts NaN") {
 
 TEST_CASE("the interval of a median is that of the binomial table") {
     std::vector<double> values;
-    for (int i = 1; i <= 15; ++i)
-        values.push_back(i);
+    for (int i = 1; i <= 15; ++i) values.push_back(i);
     const Interval of15 = median_interval(values); // the 4th and 12th of 15: 96.48 %
     CHECK(of15.lower == 4);
     CHECK(of15.upper == 12);
@@ -58,12 +57,10 @@ TEST_CASE("a bootstrap interval holds the mean about as often as its confidence"
     for (std::uint64_t trial = 0; trial < trials; ++trial) {
         ga::Stream stream(ga::fold(3, trial));
         std::vector<double> values;
-        for (int i = 0; i < 40; ++i)
-            values.push_back(stream.normal() + 2);
+        for (int i = 0; i < 40; ++i) values.push_back(stream.normal() + 2);
         const auto of_picks = [&](const std::vector<std::size_t>& picks) {
             double sum = 0;
-            for (const std::size_t pick : picks)
-                sum += values[pick];
+            for (const std::size_t pick : picks) sum += values[pick];
             return sum / static_cast<double>(picks.size());
         };
         const Interval interval = bootstrap_interval(values.size(), of_picks, 200, 0.9, trial);
@@ -88,8 +85,8 @@ TEST_CASE("the rank-sum test has the p-values of the published tables") {
     CHECK(rank_sum_p({1, 2, 3, 4, 7}, {5, 6, 8, 9, 10}) == Approx(2 * 4 / 252.0));
     CHECK(rank_sum_p({1, 2, 3}, {4, 5, 6}) == Approx(2 / 20.0));
     // Hollander and Wolfe (1973), p. 69: one-sided 0.1272.
-    CHECK(rank_sum_p({0.80, 0.83, 1.89, 1.04, 1.45, 1.38, 1.91, 1.64, 0.73, 1.46},
-                     {1.15, 0.88, 0.90, 0.74, 1.21}) == Approx(2 * 0.1272).epsilon(1e-3));
+    CHECK(rank_sum_p({0.80, 0.83, 1.89, 1.04, 1.45, 1.38, 1.91, 1.64, 0.73, 1.46}, {1.15, 0.88, 0.90, 0.74, 1.21}) ==
+          Approx(2 * 0.1272).epsilon(1e-3));
     // Ties keep their ranks: 2 of 1, 2.5, 2.5, 4 have 6 sums; none is under 3.5, and two are 3.5.
     CHECK(rank_sum_p({1, 2}, {2, 3}) == Approx(2 * 2 / 6.0));
     CHECK(rank_sum_p({1, 1, 1}, {1, 1}) == 1);
@@ -107,8 +104,7 @@ TEST_CASE("the normal approximation continues the exact p-values") {
     b.push_back(0.4); // beyond what is counted
     CHECK(rank_sum_p(a, b) == Approx(counted).margin(0.02));
     Values differences;
-    for (int i = 0; i < 401; ++i)
-        differences.push_back(stream.normal() + 0.1);
+    for (int i = 0; i < 401; ++i) differences.push_back(stream.normal() + 0.1);
     const double approximated = signed_rank_p(differences);
     differences.pop_back();
     CHECK(signed_rank_p(differences) == Approx(approximated).margin(0.02));
@@ -116,8 +112,8 @@ TEST_CASE("the normal approximation continues the exact p-values") {
 
 TEST_CASE("the signed-rank test has the p-values of the published tables") {
     // Hollander and Wolfe (1973), p. 29: V = 40 of 9 pairs, one-sided 0.01953.
-    CHECK(signed_rank_p({1.83 - 0.878, 0.50 - 0.647, 1.62 - 0.598, 2.48 - 2.05, 1.68 - 1.06, 1.88 - 1.29,
-                         1.55 - 1.06, 3.06 - 3.14, 1.30 - 1.29}) == Approx(2 * 0.01953125));
+    CHECK(signed_rank_p({1.83 - 0.878, 0.50 - 0.647, 1.62 - 0.598, 2.48 - 2.05, 1.68 - 1.06, 1.88 - 1.29, 1.55 - 1.06,
+                         3.06 - 3.14, 1.30 - 1.29}) == Approx(2 * 0.01953125));
     CHECK(signed_rank_p({1, 2, 3, 4, 5}) == Approx(2 / 32.0));
     // n = 10, T = 8: 25 of 1024 signs (Wilcoxon's table: the largest T at 0.05).
     CHECK(signed_rank_p({-8, 1, 2, 3, 4, 5, 6, 7, 9, 10}) == Approx(2 * 25 / 1024.0));
@@ -127,12 +123,12 @@ TEST_CASE("the signed-rank test has the p-values of the published tables") {
 
 TEST_CASE("Friedman's test gives the published result of 22 players") {
     // Hollander and Wolfe (1973), p. 140: 22 players, three methods of rounding first base.
-    const Friedman found = friedman(
-        {{5.40, 5.50, 5.55}, {5.85, 5.70, 5.75}, {5.20, 5.60, 5.50}, {5.55, 5.50, 5.40}, {5.90, 5.85, 5.70},
-         {5.45, 5.55, 5.60}, {5.40, 5.40, 5.35}, {5.45, 5.50, 5.35}, {5.25, 5.15, 5.00}, {5.85, 5.80, 5.70},
-         {5.25, 5.20, 5.10}, {5.65, 5.55, 5.45}, {5.60, 5.35, 5.45}, {5.05, 5.00, 4.95}, {5.50, 5.50, 5.40},
-         {5.45, 5.55, 5.50}, {5.55, 5.55, 5.35}, {5.45, 5.50, 5.55}, {5.50, 5.45, 5.25}, {5.65, 5.60, 5.40},
-         {5.70, 5.65, 5.55}, {6.30, 6.30, 6.25}});
+    const Friedman found =
+        friedman({{5.40, 5.50, 5.55}, {5.85, 5.70, 5.75}, {5.20, 5.60, 5.50}, {5.55, 5.50, 5.40}, {5.90, 5.85, 5.70},
+                  {5.45, 5.55, 5.60}, {5.40, 5.40, 5.35}, {5.45, 5.50, 5.35}, {5.25, 5.15, 5.00}, {5.85, 5.80, 5.70},
+                  {5.25, 5.20, 5.10}, {5.65, 5.55, 5.45}, {5.60, 5.35, 5.45}, {5.05, 5.00, 4.95}, {5.50, 5.50, 5.40},
+                  {5.45, 5.55, 5.50}, {5.55, 5.55, 5.35}, {5.45, 5.50, 5.55}, {5.50, 5.45, 5.25}, {5.65, 5.60, 5.40},
+                  {5.70, 5.65, 5.55}, {6.30, 6.30, 6.25}});
     CHECK(found.statistic == Approx(11.1429).epsilon(1e-4));
     CHECK(found.p == Approx(0.003805).epsilon(1e-3));
     CHECK(found.mean_ranks[2] < found.mean_ranks[1]);

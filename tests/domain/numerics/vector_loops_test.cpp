@@ -16,8 +16,7 @@ namespace {
 std::vector<const VectorLoops*> kinds() {
     std::vector<const VectorLoops*> all;
     for (const char* name : {"baseline", "avx2", "avx512"})
-        if (const VectorLoops* loops = vector_loops(name))
-            all.push_back(loops);
+        if (const VectorLoops* loops = vector_loops(name)) all.push_back(loops);
     return all;
 }
 
@@ -29,8 +28,7 @@ double number(Index i) { return std::sin(static_cast<double>(i * i % 1009) + 0.3
 TEST_CASE("the widest vectors of the processor are taken and recorded", "[vectors]") {
     REQUIRE(vector_loops("baseline"));
     CHECK_FALSE(vector_loops("none"));
-    if (!std::getenv("RUGOSA_VECTORS"))
-        CHECK(std::string(vector_loops().vectors) == kinds().back()->vectors);
+    if (!std::getenv("RUGOSA_VECTORS")) CHECK(std::string(vector_loops().vectors) == kinds().back()->vectors);
     CHECK(build().vectors == vector_loops().vectors);
     CHECK_FALSE(build().compiler.empty());
 }
@@ -77,17 +75,14 @@ TEST_CASE("a factor's panels solve a linear system with any kind of vectors", "[
 TEST_CASE("products agree with Eigen for any kind of vectors", "[vectors]") {
     constexpr Index depth = 45, width = panel_width, size = 128;
     AlignedBuffer<double> rows(width * depth);
-    for (Index i = 0; i < width * depth; ++i)
-        rows[i] = number(i);
+    for (Index i = 0; i < width * depth; ++i) rows[i] = number(i);
     MatrixXd columns(depth + 2, width);
-    for (Index i = 0; i < columns.size(); ++i)
-        columns(i) = number(7 * i + 1);
+    for (Index i = 0; i < columns.size(); ++i) columns(i) = number(7 * i + 1);
     const MatrixXd expected = MatrixXd::Map(rows.data(), width, depth) * columns.topRows(depth);
 
     const Eigen::Vector3d p(1, -2, 0.5);
     VectorXd h(2 * size);
-    for (Index i = 0; i < h.size(); ++i)
-        h[i] = number(3 * i);
+    for (Index i = 0; i < h.size(); ++i) h[i] = number(3 * i);
     const std::vector<int> nodes{0, 40, 127};
 
     for (const VectorLoops* loops : kinds()) {

@@ -13,9 +13,8 @@ using testing::p_max;
 Model paper_model(Index nodes = 512) { return completed({.grid = {nodes}}); }
 
 DesignSetup setup_of(const char* target, Index nodes = 512) {
-    return paper_setup(paper_model(nodes),
-                       read_target(std::string(RUGOSA_SOURCE "/experiments/targets/") + target), p_max,
-                       p_max / 2);
+    return paper_setup(paper_model(nodes), read_target(std::string(RUGOSA_SOURCE "/experiments/targets/") + target),
+                       p_max, p_max / 2);
 }
 
 } // namespace
@@ -69,9 +68,9 @@ TEST_CASE("parts are dominant by the correlation of their curves") {
     const auto curve = [](Eigen::VectorXd x, Eigen::VectorXd y) { return Curve{x, y, 0, x.tail(1)[0]}; };
     const Curve whole = curve(Eigen::Vector4d(1, 2, 3, 4), Eigen::Vector4d(1, 2, 2, 2));
     const std::vector<std::optional<Curve>> parts{
-        curve(Eigen::Vector2d(1, 2), Eigen::Vector2d(5, 6)),             // the whole's course, held from 2 on
-        std::nullopt,                                                    // flat
-        curve(Eigen::Vector4d(1, 2, 3, 4), Eigen::Vector4d(1, 1, 1, 3)), // late
+        curve(Eigen::Vector2d(1, 2), Eigen::Vector2d(5, 6)),              // the whole's course, held from 2 on
+        std::nullopt,                                                     // flat
+        curve(Eigen::Vector4d(1, 2, 3, 4), Eigen::Vector4d(1, 1, 1, 3)),  // late
         curve(Eigen::Vector4d(1, 2, 3, 4), Eigen::Vector4d(7, 7, 7, 7))}; // without variance
     const DominantParts found = dominant_parts(whole, parts);
     CHECK(found.correlation[0] == Approx(1));
@@ -100,9 +99,8 @@ TEST_CASE("the coarsest chromosome of a smooth genome is dominant, and a single 
 }
 
 TEST_CASE("equal wavenumbers of two series are one length scale") {
-    const Genome genome{1,
-                        {{1, 0.8, 1.5, 0.84942, {{1, {2.0}}, {2, {1.0}}}},
-                         {0.5, 0.6, 1.7, 0.84942, {{1, {0.3}}, {2, {4.0}}}}}};
+    const Genome genome{
+        1, {{1, 0.8, 1.5, 0.84942, {{1, {2.0}}, {2, {1.0}}}}, {0.5, 0.6, 1.7, 0.84942, {{1, {0.3}}, {2, {4.0}}}}}};
     const Dominance dominance = DominanceRule(paper_model(128))(genome);
     CHECK(dominance.scales[0].members.size() == 2);
     CHECK(dominance.correlation.size() == 3);

@@ -86,8 +86,7 @@ TEST_CASE("CCO's parents are reduced to their dominant chromosomes and keep thei
     REQUIRE(whole.size() == part.size());
     for (std::size_t i = 0; i < whole.size(); ++i) {
         CHECK(part[i].genome.scale == whole[i].genome.scale);
-        CHECK(shape_key(part[i].genome) ==
-              shape_key(reduced(whole[i].genome, (*coarse.words.rule)(whole[i].genome))));
+        CHECK(shape_key(part[i].genome) == shape_key(reduced(whole[i].genome, (*coarse.words.rule)(whole[i].genome))));
     }
 }
 
@@ -99,10 +98,9 @@ TEST_CASE("the algorithms read as the paper prints them") {
     const std::string parents = "score low | above 0.95 at_least=3, score high | above 0.95 at_least=3, ";
     CHECK(variants.at("sog") ==
           "score | best 3 | refine gcmma 5 genes=dominant | refine gcmma 2 genes=others | best 1");
-    CHECK(
-        variants.at("gco") ==
-        "pair(" + parents +
-            "unite) | score | best 3 | refine gcmma 3 genes=dominant | refine gcmma 2 genes=others | best 1");
+    CHECK(variants.at("gco") ==
+          "pair(" + parents +
+              "unite) | score | best 3 | refine gcmma 3 genes=dominant | refine gcmma 2 genes=others | best 1");
     CHECK(variants.at("cco") ==
           "pair(score low | above 0.95 at_least=3 | reduce dominant, score high | above 0.95 at_least=3 | "
           "reduce dominant, unite) | score | best 3 | refine gcmma 3 genes=phases | best 1");

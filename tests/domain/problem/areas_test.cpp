@@ -8,8 +8,7 @@ using rough::testing::fitted_genome;
 namespace {
 
 DesignSetup area_setup(Kernel kernel, Index columns = 18, Index rows = 16) {
-    return {.model =
-                completed({{.nodes = columns, .length = 0.84942, .rows = rows, .width = 0.8}, {kernel}, {8}}),
+    return {.model = completed({{.nodes = columns, .length = 0.84942, .rows = rows, .width = 0.8}, {kernel}, {8}}),
             .targets = {read_target(RUGOSA_SOURCE "/experiments/targets/drawn.csv")},
             .limits = {.shortest_wave = 0.25}};
 }
@@ -24,8 +23,7 @@ TEST_CASE("derivatives of misfits on maps agree with differences in every gene",
     for (const Kernel kernel : {Kernel::free, Kernel::periodic})
         for (const bool free_amplitude : {false, true}) {
             DesignSetup setup = area_setup(kernel);
-            if (!free_amplitude)
-                setup.max_pressure = 1.6e-4;
+            if (!free_amplitude) setup.max_pressure = 1.6e-4;
             check_jacobian(setup, fitted_genome(random, setup, 3), "similarity");
         }
     random.seed(72);
@@ -34,12 +32,9 @@ TEST_CASE("derivatives of misfits on maps agree with differences in every gene",
         INFO("quantity " << name_of(quantity));
         DesignSetup setup = area_setup(Kernel::free);
         Target& target = setup.targets[0];
-        target = {quantity, "", Eigen::VectorXd::LinSpaced(8, 1e-5, 2e-4),
-                  Eigen::VectorXd::LinSpaced(8, 0.05, 0.6)};
-        if (quantity == Quantity::load_at_displacement)
-            target.y = 0.6 * target.x;
-        if (quantity == Quantity::interface_stiffness)
-            target.y = Eigen::VectorXd::LinSpaced(8, 0.5, 4);
+        target = {quantity, "", Eigen::VectorXd::LinSpaced(8, 1e-5, 2e-4), Eigen::VectorXd::LinSpaced(8, 0.05, 0.6)};
+        if (quantity == Quantity::load_at_displacement) target.y = 0.6 * target.x;
+        if (quantity == Quantity::interface_stiffness) target.y = Eigen::VectorXd::LinSpaced(8, 0.5, 4);
         // A smooth contact fraction is steep just before a node touches, and differences are less accurate.
         check_jacobian(setup, fitted_genome(random, setup, 3), "similarity",
                        is_contact_fraction(quantity) ? 1e-4 : 1e-5);
@@ -54,8 +49,7 @@ TEST_CASE("a map's verification agrees with four separate solutions", "[areas]")
         setup.max_pressure = 1.6e-4;
         setup.model.contact.tolerance = 1e-9;
         const Genome genome = fitted_genome(random, setup, 3);
-        const auto [similarity, refined, stepped, both] =
-            rough::testing::separate_similarities(setup, genome);
+        const auto [similarity, refined, stepped, both] = rough::testing::separate_similarities(setup, genome);
         const Verification verified = Verifier(setup).of(genome);
         CHECK(verified.similarity == Approx(similarity).epsilon(1e-6));
         CHECK(verified.refined == Approx(refined).epsilon(1e-6));
@@ -128,8 +122,7 @@ TEST_CASE("no finer map shows a gradient or a height beyond the margins", "[area
         const auto z = fine.heights.reshaped(columns, rows);
         const Eigen::ArrayXXd x = (z.bottomRows(columns - 1) - z.topRows(columns - 1)) / fine.spacing,
                               y = (z.rightCols(rows - 1) - z.leftCols(rows - 1)) / fine.row_spacing;
-        const double steepest =
-            (x.leftCols(rows - 1).square() + y.topRows(columns - 1).square()).sqrt().maxCoeff();
+        const double steepest = (x.leftCols(rows - 1).square() + y.topRows(columns - 1).square()).sqrt().maxCoeff();
         const double height = z.maxCoeff() - z.minCoeff();
         CHECK(steepest <= margin[1].value * (1 + 1e-3)); // differences at a corner are not at one point
         CHECK(steepest > 0.95 * margin[1].value);
@@ -157,8 +150,7 @@ TEST_CASE("a map's verdict is at most its similarity on a grid and in load steps
         for (const std::uint64_t seed : {1, 2, 3}) {
             INFO(target << ", seed " << seed);
             DesignSetup setup = area_setup(Kernel::free, 32, 32);
-            setup.targets = {
-                read_target(RUGOSA_SOURCE "/experiments/targets/" + std::string(target) + ".csv")};
+            setup.targets = {read_target(RUGOSA_SOURCE "/experiments/targets/" + std::string(target) + ".csv")};
             setup.max_pressure = 1.6e-4;
             setup.model.loading.steps = 20;
             const Answer found = search(setup, {.pipeline = "shape 6 | score | best 2 | refine lm 15",

@@ -23,8 +23,7 @@ TEST_CASE("starts on a periodic body repeat without a jump, also after a mutatio
     const DesignProblem problem(periodic_setup());
     ga::Stream random(3);
     for (int draw = 0; draw < 4; ++draw)
-        for (const Genome& genome :
-             {problem.sample(random), shaped_start(problem.setup(), ga::Stream(random()))}) {
+        for (const Genome& genome : {problem.sample(random), shaped_start(problem.setup(), ga::Stream(random()))}) {
             CHECK(jump(genome) < 1e-12);
             CHECK(shortest_wave(genome) >= problem.setup().limits.shortest_wave * (1 - 1e-12));
             std::vector<double> values = genes(genome);
@@ -61,12 +60,10 @@ TEST_CASE("a search on a periodic body begins at harmonics, from given genomes o
         options.starts.clear();
         for (int i = 0; given && i < 2; ++i)
             options.starts.push_back(rough::testing::random_genome(random, 1, 2, paper_length, 0.02));
-        for (const Genome& start : options.starts)
-            CHECK(jump(start) > 0.01);
+        for (const Genome& start : options.starts) CHECK(jump(start) > 0.01);
         const SearchResult found = search(setup, options);
         REQUIRE(!found.alternatives.empty());
-        for (const Answer& answer : found.alternatives)
-            CHECK(jump(answer.genome) < 1e-12);
+        for (const Answer& answer : found.alternatives) CHECK(jump(answer.genome) < 1e-12);
         CHECK(found.best.similarity > 0);
     }
 }

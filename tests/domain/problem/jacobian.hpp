@@ -10,8 +10,7 @@ namespace rough::testing {
 /// A design for the paper's target on a grid of `nodes`, with amplitude free or by Eq. 11.
 inline DesignSetup drawn_setup(Index nodes, bool eq_11 = false, Kernel kernel = Kernel::free) {
     DesignSetup setup = drawn(nodes, false, kernel);
-    if (!eq_11)
-        setup.max_pressure.reset();
+    if (!eq_11) setup.max_pressure.reset();
     return setup;
 }
 
@@ -24,8 +23,7 @@ inline Genome fitted_genome(std::mt19937_64& random, const DesignSetup& setup, s
 /// The value of an objective for a genome.
 inline double fitness(const DesignProblem& problem, const Genome& genome, const std::string& name) {
     for (const auto& objective : problem.objectives())
-        if (objective.name == name)
-            return objective.fitness(problem.evaluate(genome, objective.level));
+        if (objective.name == name) return objective.fitness(problem.evaluate(genome, objective.level));
     FAIL("no objective " << name);
     return 0;
 }
@@ -48,16 +46,14 @@ inline std::vector<double> corners(const DesignSetup& setup, const Genome& genom
     std::vector<double> marks;
     const DesignResponse response = respond(setup, genome, model);
     for (const Response& one : response.responses)
-        for (Index j = 0; j < one.steps(); ++j)
-            marks.push_back(one.contact_fraction[j]);
+        for (Index j = 0; j < one.steps(); ++j) marks.push_back(one.contact_fraction[j]);
     for (std::size_t g = 0; g < setup.targets.size(); ++g) {
         const Target& target = setup.targets[g];
         const Curve& curve = response.curves[g];
         for (Index k = 0; k < target.points(); ++k) {
             marks.push_back(static_cast<double>(segment_at(curve, target.x[k]).left));
             if (target.has_band())
-                marks.push_back((curve.at(target.x[k]) > target.upper[k]) -
-                                (curve.at(target.x[k]) < target.lower[k]));
+                marks.push_back((curve.at(target.x[k]) > target.upper[k]) - (curve.at(target.x[k]) < target.lower[k]));
         }
     }
     Index highest, lowest;
@@ -70,8 +66,7 @@ inline std::vector<double> corners(const DesignSetup& setup, const Genome& genom
 }
 
 /// The corners of every curve that an objective uses.
-inline std::vector<double> corners(const DesignSetup& setup, const Genome& genome,
-                                   const std::string& objective) {
+inline std::vector<double> corners(const DesignSetup& setup, const Genome& genome, const std::string& objective) {
     return objective == "verified" ? corners(Verifier(setup).finer(), genome, 4) : corners(setup, genome, 1);
 }
 
@@ -90,15 +85,13 @@ inline void check_jacobian(const DesignSetup& setup, const Genome& start, const 
         const double h = 1e-7 * std::max(1.0, std::abs(values[g]));
         const Genome above = problem.with_genes(genome, moved(values, g, h)),
                      below = problem.with_genes(genome, moved(values, g, -h));
-        if (corners(setup, above, objective) != base || corners(setup, below, objective) != base)
-            continue;
+        if (corners(setup, above, objective) != base || corners(setup, below, objective) != base) continue;
         ++kept;
-        const Eigen::VectorXd difference = (problem.sensitivity(above, objective).residuals -
-                                            problem.sensitivity(below, objective).residuals) /
-                                           (2 * h);
+        const Eigen::VectorXd difference =
+            (problem.sensitivity(above, objective).residuals - problem.sensitivity(below, objective).residuals) /
+            (2 * h);
         INFO("objective " << objective << ", gene " << g);
-        CHECK((difference - all.jacobian.col(static_cast<Index>(g))).cwiseAbs().maxCoeff() <
-              tolerance * largest);
+        CHECK((difference - all.jacobian.col(static_cast<Index>(g))).cwiseAbs().maxCoeff() < tolerance * largest);
     }
     CHECK(kept > static_cast<int>(values.size()) / 2);
 }

@@ -40,8 +40,7 @@ TEST_CASE("the excess over limits on shape is the sum of the shares beyond them"
     const Exact wave = exact();
     const auto within_bound = [](double expected) { return Approx(expected).margin(3e-4); };
     const MakingLimits slope{.max_slope = wave.slope / 1.25}, height{.max_height = wave.height / 1.5},
-        radius{.min_radius = 1.1 * wave.radius},
-        all{0, slope.max_slope, height.max_height, radius.min_radius},
+        radius{.min_radius = 1.1 * wave.radius}, all{0, slope.max_slope, height.max_height, radius.min_radius},
         kept{0, 1.01 * wave.slope, 1.01 * wave.height, 0.99 * wave.radius};
     CHECK(excess(one_wave(), grid, slope) == within_bound(0.25));
     CHECK(excess(one_wave(), grid, height) == within_bound(0.5));

@@ -26,8 +26,7 @@ TEST_CASE("derivatives of misfits under noise and tilt agree with differences") 
     for (const bool eq_11 : {false, true}) {
         const DesignSetup setup = setup_with(eq_11, {2e-6, noise_length, 1e-5});
         const DesignProblem problem(setup);
-        const Genome start = random_start(setup),
-                     genome = problem.final_genome(start, problem.evaluate(start));
+        const Genome start = random_start(setup), genome = problem.final_genome(start, problem.evaluate(start));
         const ga::Sensitivity all = problem.sensitivity(genome, "made");
         const CommonErrors errors(setup);
         CHECK(errors.noise.size() == 72); // three draws for four of 96 nodes
@@ -43,8 +42,8 @@ TEST_CASE("derivatives of misfits under noise and tilt agree with differences") 
                 const Genome at = problem.with_genes(genome, rough::testing::moved(values, g, step));
                 return problem.sensitivity(at, "made").residuals;
             };
-            const Eigen::ArrayXd error = (residuals(h) - residuals(-h)).array() / (2 * h) -
-                                         all.jacobian.col(static_cast<Index>(g)).array();
+            const Eigen::ArrayXd error =
+                (residuals(h) - residuals(-h)).array() / (2 * h) - all.jacobian.col(static_cast<Index>(g)).array();
             agreeing += static_cast<double>((error.abs() < 1e-5 * largest).count());
         }
         CHECK(agreeing > 0.95 * static_cast<double>(all.jacobian.size()));

@@ -12,8 +12,7 @@ namespace {
 
 /// A target of n points whose x and y grow evenly.
 Target straight(Quantity quantity, Index n, double x_from, double x_to, double y_from, double y_to) {
-    return {quantity, "", Eigen::VectorXd::LinSpaced(n, x_from, x_to),
-            Eigen::VectorXd::LinSpaced(n, y_from, y_to)};
+    return {quantity, "", Eigen::VectorXd::LinSpaced(n, x_from, x_to), Eigen::VectorXd::LinSpaced(n, y_from, y_to)};
 }
 
 /// The drawn target and a contact area at each of its pressures.
@@ -57,19 +56,17 @@ TEST_CASE("derivatives agree for contact fractions, and for loads, bands and wei
 
 TEST_CASE("derivatives agree for a periodic profile in full contact before the target ends") {
     std::mt19937_64 random(37);
-    for (const Quantity quantity : {Quantity::load_at_displacement, Quantity::stiffness,
-                                    Quantity::area_at_displacement, Quantity::area_at_pressure}) {
+    for (const Quantity quantity : {Quantity::load_at_displacement, Quantity::stiffness, Quantity::area_at_displacement,
+                                    Quantity::area_at_pressure}) {
         DesignSetup setup = drawn_setup(128, false, Kernel::periodic);
-        const Genome genome =
-            testing::random_genome(random, 2, 1, setup.model.grid.length, setup.limits.shortest_wave);
+        const Genome genome = testing::random_genome(random, 2, 1, setup.model.grid.length, setup.limits.shortest_wave);
         const double full = displacement_range(sample(genome, setup.model.grid), Kernel::periodic);
         const Response plain = respond(genome, setup.model);
         const double last = against_pressure(quantity) ? 4 * plain.pressure.maxCoeff() : 1.5 * full;
         setup.targets = {straight(quantity, 10, 0.1 * last, last, 0.1, 1)};
         Target& target = setup.targets[0];
         if (!is_contact_fraction(quantity)) { // a contact fraction jumps when nodes touch
-            target.y *=
-                10 * (quantity == Quantity::stiffness ? plain.tangent_stiffness[2] : plain.pressure[2]);
+            target.y *= 10 * (quantity == Quantity::stiffness ? plain.tangent_stiffness[2] : plain.pressure[2]);
             check_jacobian(setup, genome, "similarity");
         }
         // Only a contact fraction can meet its target beyond full contact.
@@ -112,8 +109,7 @@ TEST_CASE("no finer grid shows a slope, height or curvature beyond the margins")
         for (const Index finer : {4, 32}) {
             const Profile profile = sample(genome, refined(grid, finer));
             const Index n = profile.nodes();
-            const Eigen::VectorXd slope =
-                (profile.heights.tail(n - 1) - profile.heights.head(n - 1)) / profile.spacing;
+            const Eigen::VectorXd slope = (profile.heights.tail(n - 1) - profile.heights.head(n - 1)) / profile.spacing;
             const Eigen::VectorXd curvature = (slope.tail(n - 2) - slope.head(n - 2)) / profile.spacing;
             const double height = profile.heights.maxCoeff() - profile.heights.minCoeff();
             CHECK(slope.cwiseAbs().maxCoeff() <= margin[1].value * (1 + 1e-9));
@@ -202,8 +198,7 @@ TEST_CASE("each of several targets has an objective, whose rows are a part of al
 TEST_CASE("compromises do not dominate each other and keep the limits") {
     DesignSetup setup = drawn_with_area();
     std::vector<Genome> genomes;
-    for (std::uint64_t key = 0; key < 30; ++key)
-        genomes.push_back(shaped_start(setup, ga::Stream(key % 25)));
+    for (std::uint64_t key = 0; key < 30; ++key) genomes.push_back(shaped_start(setup, ga::Stream(key % 25)));
     const auto front = compromises(setup, genomes, 100, 1);
     REQUIRE(front.size() > 1);
     for (std::size_t i = 1; i < front.size(); ++i) {
@@ -226,17 +221,15 @@ TEST_CASE("compromises do not dominate each other and keep the limits") {
 TEST_CASE("every kind of pipeline keeps bounds and budget, with equal bits on any threads") {
     const DesignSetup setup = rough::testing::drawn_setup(64);
     const DesignProblem problem(setup);
-    for (const std::string generation :
-         {"tournament 2 | cross n_points 2 | mutate 0.2 | score | elite 1",
-          "random | cross sbx 5 | mutate 0.2 | score | crowding", "share 0.3 | mutate 0.5 | score",
-          "clear 0.2 | mutate 0.5 | score | plus",
-          "tournament 2 | mutate 0.5 | score | map-elites height skewness cells=4",
-          "emit 6 slope wavelength | score | map-elites slope wavelength cells=4"}) {
+    for (const std::string generation : {"tournament 2 | cross n_points 2 | mutate 0.2 | score | elite 1",
+                                         "random | cross sbx 5 | mutate 0.2 | score | crowding",
+                                         "share 0.3 | mutate 0.5 | score", "clear 0.2 | mutate 0.5 | score | plus",
+                                         "tournament 2 | mutate 0.5 | score | map-elites height skewness cells=4",
+                                         "emit 6 slope wavelength | score | map-elites slope wavelength cells=4"}) {
         CAPTURE(generation);
         const auto stage = design_pipeline(setup, "sample 8 | score | repeat 3 { " + generation + " }");
         const auto run_on = [&](int threads, long evaluations) {
-            return ga::run(stage, problem, {},
-                           {.seed = 5, .threads = threads, .budget = {.evaluations = evaluations}});
+            return ga::run(stage, problem, {}, {.seed = 5, .threads = threads, .budget = {.evaluations = evaluations}});
         };
         const auto whole = run_on(1, 1000), again = run_on(2, 1000), part = run_on(2, 20);
         CHECK(whole.stopped.empty());

@@ -40,8 +40,8 @@ TEST_CASE("a set-up's description depends on every number that affects a result,
     other.targets[0].name = "elsewhere/target.csv";
     CHECK(description(other) == description(setup));
     // A new member does not compile before it has a name here.
-    auto& [model, targets, max_pressure, threshold, bounds, phases, limits, measured, similarity, ridges,
-           smooth_area, errors] = other;
+    auto& [model, targets, max_pressure, threshold, bounds, phases, limits, measured, similarity, ridges, smooth_area,
+           errors] = other;
     auto& [grid, body, loading, contact, accuracy] = model;
     auto& [nodes, length, periodic, from, rows, width, from_y] = grid;
     auto& [kernel, modulus, datum, strip_width, hardness, layering] = body;
@@ -51,8 +51,7 @@ TEST_CASE("a set-up's description depends on every number that affects a result,
         CHECK(description(other) != description(setup));
         number = before;
     };
-    may_affect(datum), may_affect(strip_width), may_affect(reach), may_affect(to_pressure),
-        may_affect(to_displacement);
+    may_affect(datum), may_affect(strip_width), may_affect(reach), may_affect(to_pressure), may_affect(to_displacement);
     auto& [solver, tolerance, states, memory_limit, threads, stop, spots] = contact;
     auto& [H_from, H_to, gamma_from, gamma_to, lambda_from, lambda_to] = bounds;
     auto& [relative, absolute] = *phases;
@@ -64,10 +63,10 @@ TEST_CASE("a set-up's description depends on every number that affects a result,
         number = before;
     };
     const auto each_affects = [&](auto&... numbers) { (affects(numbers), ...); };
-    each_affects(accuracy, length, from, width, from_y, modulus, hardness, tolerance, memory_limit, H_from,
-                 H_to, gamma_from, gamma_to, lambda_from, lambda_to, relative, absolute, shortest_wave, slope,
-                 height, radius, noise, noise_length, tilt, similarity, *max_pressure, *threshold,
-                 targets[0].weight, measured->spacing, nodes, rows, steps, ridges, layering.poissons_ratio);
+    each_affects(accuracy, length, from, width, from_y, modulus, hardness, tolerance, memory_limit, H_from, H_to,
+                 gamma_from, gamma_to, lambda_from, lambda_to, relative, absolute, shortest_wave, slope, height, radius,
+                 noise, noise_length, tilt, similarity, *max_pressure, *threshold, targets[0].weight, measured->spacing,
+                 nodes, rows, steps, ridges, layering.poissons_ratio);
     smooth_area = true;
     CHECK(description(other) != description(setup));
     smooth_area = false;

@@ -37,15 +37,13 @@ TEST_CASE("derivatives of descriptors agree with differences") {
             const std::vector<double> gradient = descriptor.gradient(genome);
             REQUIRE(gradient.size() == genes.size());
             double largest = 0;
-            for (const double each : gradient)
-                largest = std::max(largest, std::abs(each));
+            for (const double each : gradient) largest = std::max(largest, std::abs(each));
             for (std::size_t g = 0; g < genes.size(); ++g) {
                 const double step = 1e-6 * std::max(1.0, std::abs(genes[g]));
                 const auto at = [&](double change) {
                     return descriptor.of(with_genes(genome, rough::testing::moved(genes, g, change)));
                 };
-                CHECK(gradient[g] ==
-                      Approx((at(step) - at(-step)) / (2 * step)).epsilon(1e-4).margin(1e-6 * largest));
+                CHECK(gradient[g] == Approx((at(step) - at(-step)) / (2 * step)).epsilon(1e-4).margin(1e-6 * largest));
             }
         }
     }

@@ -18,8 +18,7 @@ DesignSetup nested_setup(bool eq_11 = false) {
 TEST_CASE("a verification agrees with four separate solutions") {
     for (const bool eq_11 : {false, true}) {
         const DesignSetup setup = nested_setup(eq_11);
-        const auto [similarity, refined, stepped, both] =
-            rough::testing::separate_similarities(setup, three_waves());
+        const auto [similarity, refined, stepped, both] = rough::testing::separate_similarities(setup, three_waves());
         const Verification verified = Verifier(setup).of(three_waves());
         CHECK(verified.similarity == Approx(similarity).epsilon(1e-9));
         CHECK(verified.refined == Approx(refined).epsilon(1e-9));
@@ -45,8 +44,7 @@ TEST_CASE("a measured profile has similarity 1 to its response in any load steps
 TEST_CASE("the objective verified agrees with the verification, its residuals with the finest curve") {
     const DesignProblem problem(nested_setup());
     const Verification verified = Verifier(problem.setup()).of(three_waves());
-    CHECK(rough::testing::fitness(problem, three_waves(), "verified") ==
-          Approx(verified.worst).epsilon(1e-9));
+    CHECK(rough::testing::fitness(problem, three_waves(), "verified") == Approx(verified.worst).epsilon(1e-9));
     CHECK(1 - problem.sensitivity(three_waves(), "verified").residuals.cwiseAbs().maxCoeff() ==
           Approx(verified.both).epsilon(1e-9));
 }
@@ -75,11 +73,9 @@ TEST_CASE("an answer is at least as good as the first start and the best surface
 TEST_CASE("a smooth area is scored as its derivatives read it, on lines and maps") {
     for (const bool map : {false, true}) {
         DesignSetup setup = nested_setup();
-        if (map)
-            setup.model = completed({.grid = {.nodes = 16, .length = 0.84942, .rows = 18, .width = 0.84942}});
+        if (map) setup.model = completed({.grid = {.nodes = 16, .length = 0.84942, .rows = 18, .width = 0.84942}});
         Target& target = setup.targets[0];
-        target = {Quantity::area_at_pressure, "", target.x,
-                  Eigen::VectorXd::LinSpaced(target.points(), 0.1, 0.6)};
+        target = {Quantity::area_at_pressure, "", target.x, Eigen::VectorXd::LinSpaced(target.points(), 0.1, 0.6)};
         const auto error = [&] {
             const DesignProblem problem(setup);
             const auto residuals = problem.sensitivity(three_waves(), "similarity").residuals;
@@ -95,8 +91,8 @@ TEST_CASE("settings that leave little to search are named before it, on lines an
     for (const bool map : {false, true}) {
         INFO((map ? "a map" : "a line"));
         DesignSetup usual =
-            map ? DesignSetup{.model = completed(
-                                  {.grid = {.nodes = 32, .length = 0.84942, .rows = 32, .width = 0.84942}})}
+            map ? DesignSetup{.model =
+                                  completed({.grid = {.nodes = 32, .length = 0.84942, .rows = 32, .width = 0.84942}})}
                 : DesignSetup{};
         usual.targets = nested_setup().targets;
         usual.max_pressure = 1.6e-4;
@@ -115,8 +111,7 @@ TEST_CASE("settings that leave little to search are named before it, on lines an
                    Catch::StartsWith("lambda-to: "));
         CHECK_THAT(first([](DesignSetup& setup) { setup.limits.max_height = 1e-5; }),
                    Catch::StartsWith("max-height: "));
-        CHECK_THAT(first([](DesignSetup& setup) { setup.limits.max_slope = 1e-5; }),
-                   Catch::StartsWith("max-slope: "));
+        CHECK_THAT(first([](DesignSetup& setup) { setup.limits.max_slope = 1e-5; }), Catch::StartsWith("max-slope: "));
         usual.model.body.kernel = Kernel::periodic;
         usual.model.grid.periodic = true;
         usual.model.body.datum.reset();

@@ -15,9 +15,8 @@ constexpr double a = 0.002;
 
 /// A cosine with these numbers of waves along x and y on 1 mm x 0.8 mm.
 Profile wave(int along_x, int along_y, Index n = 128) {
-    return map_of({n, n}, 1.0 / double(n), 0.8 / double(n), [&](double x, double y) {
-        return 5 + a * std::cos(2 * pi * (along_x * x + along_y * y / 0.8));
-    });
+    return map_of({n, n}, 1.0 / double(n), 0.8 / double(n),
+                  [&](double x, double y) { return 5 + a * std::cos(2 * pi * (along_x * x + along_y * y / 0.8)); });
 }
 
 } // namespace
@@ -34,8 +33,8 @@ TEST_CASE("a wave on a map has the parameters of textbooks", "[areal]") {
 
 TEST_CASE("heights are positive above the mean plane, depths below it, as in ISO 25178-2", "[areal]") {
     // A plateau with a pit of 9 um in every tenth of 20 x 20 nodes: the mean is 0.9 um under the plateau.
-    const Profile pits = map_of({20, 20}, 0.1, 0.1,
-                                [](double x, double) { return std::lround(10 * x) % 10 == 3 ? 1 : 1.009; });
+    const Profile pits =
+        map_of({20, 20}, 0.1, 0.1, [](double x, double) { return std::lround(10 * x) % 10 == 3 ? 1 : 1.009; });
     const ArealParameters s = areal_parameters(pits);
     CHECK(s["Sp"] == Approx(0.0009).epsilon(1e-9));
     CHECK(s["Sv"] == Approx(0.0081).epsilon(1e-9)); // a depth is positive
@@ -78,9 +77,8 @@ TEST_CASE("a plane has its gradient and area, and is levelled to zero", "[areal]
 }
 
 TEST_CASE("a quadratic form is removed completely, and its residual is orthogonal to it", "[areal]") {
-    const Profile bowl = map_of({40, 25}, 0.1, 0.2, [](double x, double y) {
-        return 1 + x - 2 * y + 0.3 * x * x - 0.4 * x * y + 0.1 * y * y;
-    });
+    const Profile bowl = map_of(
+        {40, 25}, 0.1, 0.2, [](double x, double y) { return 1 + x - 2 * y + 0.3 * x * x - 0.4 * x * y + 0.1 * y * y; });
     CHECK(detrended(bowl, Detrend::parabola).cwiseAbs().maxCoeff() < 1e-11);
     CHECK(detrended(bowl, Detrend::line).cwiseAbs().maxCoeff() > 0.1);
     Profile cubic = bowl;
@@ -116,16 +114,14 @@ TEST_CASE("texture: a wave's autocorrelation length, lay and aspect ratio", "[ar
         CHECK(along_y.Str < 0.07);
         CHECK(along_y.Str_is_bound);
         CHECK(texture(wave(0, 8), periodic).Std == 0);
-        const Profile strip =
-            map_of({40, 16}, 0.02, 0.002, [](double x, double) { return std::cos(5 * pi * x); });
+        const Profile strip = map_of({40, 16}, 0.02, 0.002, [](double x, double) { return std::cos(5 * pi * x); });
         CHECK(texture(strip, periodic).Std == 90); // one wave, much wider than long
         // wave vector (6, 10/0.8): the lay is at right angles to it
         const Texture oblique = texture(wave(6, 10), periodic);
         CHECK(oblique.Std == std::round(std::fmod(std::atan2(12.5, 6) * 180 / pi + 90, 180)));
     }
-    const Profile alike = map_of({128, 128}, 1.0 / 128, 1.0 / 128, [](double x, double y) {
-        return std::cos(16 * pi * x) + std::cos(16 * pi * y);
-    });
+    const Profile alike = map_of({128, 128}, 1.0 / 128, 1.0 / 128,
+                                 [](double x, double y) { return std::cos(16 * pi * x) + std::cos(16 * pi * y); });
     // cos kx + cos ky falls to 0.2 at arccos(-0.6) along the axes, sooner along the diagonals
     const Texture both = texture(alike, true);
     CHECK(both.Sal == Approx(std::sqrt(2) * std::acos(0.2) / (16 * pi)).epsilon(0.02));
@@ -144,9 +140,8 @@ TEST_CASE("a map's spectrum has its mean square and its wavenumber", "[areal]") 
     CHECK(continuous_spectrum(map).power.sum() == Approx(a * a / 2).epsilon(1e-6)); // Hann's
     // white noise is flat: C = m0 dx dy/(2 pi)^2
     std::mt19937_64 random(3);
-    const Profile noise = map_of({256, 200}, 0.01, 0.02, [&](double, double) {
-        return std::normal_distribution<double>(2, 0.5)(random);
-    });
+    const Profile noise = map_of({256, 200}, 0.01, 0.02,
+                                 [&](double, double) { return std::normal_distribution<double>(2, 0.5)(random); });
     const Spectrum flat = continuous_spectrum(noise);
     const double width = 2 * pi / (256 * 0.01); // width of a ring; the first has longer waves, too
     for (Index ring = 1; ring < flat.power.size(); ++ring)
@@ -155,6 +150,5 @@ TEST_CASE("a map's spectrum has its mean square and its wavenumber", "[areal]") 
     CHECK(flat.power.sum() == Approx(0.25).epsilon(0.02));
     CHECK(flat.density.segment(20, 60).mean() == Approx(expected).epsilon(0.03));
     CHECK(flat.density.segment(80, 60).mean() == Approx(expected).epsilon(0.03));
-    CHECK_THROWS_AS(continuous_spectrum(map_of({3, 8}, 1, 1, [](double x, double) { return x; })),
-                    InputError);
+    CHECK_THROWS_AS(continuous_spectrum(map_of({3, 8}, 1, 1, [](double x, double) { return x; })), InputError);
 }

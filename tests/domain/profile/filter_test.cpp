@@ -27,8 +27,7 @@ TEST_CASE("a line passes the filter up to its ends at any cut-off") {
 
 TEST_CASE("the filter agrees with weighted least squares up to the ends") {
     std::mt19937_64 random(3);
-    const Profile profile =
-        sample(testing::random_genome(random, 2, 3, 0.84942, 0.84942 / 30), {.nodes = 150});
+    const Profile profile = sample(testing::random_genome(random, 2, 3, 0.84942, 0.84942 / 30), {.nodes = 150});
     const double cut_off = 0.2, alpha = std::sqrt(std::log(2.0) / std::numbers::pi);
     const Eigen::VectorXd passed = low_passed(profile, cut_off);
     for (const Index i : {0, 1, 17, 80, 149}) {
@@ -36,8 +35,7 @@ TEST_CASE("the filter agrees with weighted least squares up to the ends") {
         Eigen::Vector2d right = Eigen::Vector2d::Zero();
         for (Index j = 0; j < 150; ++j) {
             const double x = double(j - i) * profile.spacing;
-            if (std::abs(x) > cut_off)
-                continue;
+            if (std::abs(x) > cut_off) continue;
             const double weight = std::exp(-std::numbers::pi * std::pow(x / (alpha * cut_off), 2));
             const Eigen::Vector2d row(1, x);
             normal += weight * row * row.transpose();

@@ -23,8 +23,7 @@ Picture picture_in(const std::string& bytes) {
     std::string_view rest = bytes;
     png_set_read_fn(png, &rest, [](png_structp reader, png_bytep to, std::size_t size) {
         auto& from = *static_cast<std::string_view*>(png_get_io_ptr(reader));
-        if (size > from.size())
-            png_error(reader, "ends early");
+        if (size > from.size()) png_error(reader, "ends early");
         std::memcpy(to, from.data(), size);
         from.remove_prefix(size);
     });
@@ -40,8 +39,7 @@ Picture picture_in(const std::string& bytes) {
     png_textp text = nullptr;
     const int texts = png_get_text(png, info, &text, nullptr);
     for (int i = 0; i < texts; ++i)
-        if (std::string(text[i].key) != "Description")
-            picture.scale[text[i].key] = std::stod(text[i].text);
+        if (std::string(text[i].key) != "Description") picture.scale[text[i].key] = std::stod(text[i].text);
     png_destroy_read_struct(&png, &info, nullptr);
     return picture;
 }
@@ -52,8 +50,7 @@ TEST_CASE("a map is read back from its picture to half a grey level") {
     for (const unsigned seed : {1U, 2U, 3U})
         for (const Extent shape : {Extent{40, 23}, {7, 64}, {1, 1}, {30, 1}}) {
             std::srand(seed);
-            const Profile map{Eigen::VectorXd::Random(shape.nodes()).array() * 3e-4 - 0.7, 1e-3 / 3,
-                              shape.rows, 2e-3};
+            const Profile map{Eigen::VectorXd::Random(shape.nodes()).array() * 3e-4 - 0.7, 1e-3 / 3, shape.rows, 2e-3};
             const HeightImage image = height_image(map);
             const Picture picture = picture_in(image.png);
             CHECK(picture.size == shape);
@@ -65,10 +62,12 @@ TEST_CASE("a map is read back from its picture to half a grey level") {
             double error = 0;
             for (Index j = 0; j < shape.rows; ++j)
                 for (Index i = 0; i < shape.columns; ++i)
-                    error = std::max(error, std::abs(picture.scale.at("lowest_height_mm") +
-                                                     level * picture.greys[static_cast<std::size_t>(
-                                                                 (shape.rows - 1 - j) * shape.columns + i)] -
-                                                     map.heights[j * shape.columns + i]));
+                    error = std::max(
+                        error,
+                        std::abs(picture.scale.at("lowest_height_mm") +
+                                 level *
+                                     picture.greys[static_cast<std::size_t>((shape.rows - 1 - j) * shape.columns + i)] -
+                                 map.heights[j * shape.columns + i]));
             CHECK(error <= 0.5 * level + 1e-15);
         }
 }

@@ -8,8 +8,7 @@ namespace {
 
 Eigen::VectorXd made(Index nodes, auto height) {
     Eigen::VectorXd heights(nodes);
-    for (Index i = 0; i < nodes; ++i)
-        heights[i] = height(double(i));
+    for (Index i = 0; i < nodes; ++i) heights[i] = height(double(i));
     return heights;
 }
 
@@ -50,13 +49,11 @@ TEST_CASE("sharp profiles have no outliers at any position of the nodes") {
 }
 
 TEST_CASE("a particle is found with its flanks, up to the surface") {
-    const Eigen::VectorXd clean =
-        made(600, [](double i) { return std::cos(i / 40) + 0.01 * std::sin(7 * i); });
+    const Eigen::VectorXd clean = made(600, [](double i) { return std::cos(i / 40) + 0.01 * std::sin(7 * i); });
     for (const double sign : {1., -1.}) {
         Eigen::VectorXd z = clean;
         const std::array shape{0.06, 0.4, 1., 0.9, 0.5, 0.07};
-        for (std::size_t i = 0; i < shape.size(); ++i)
-            z[300 + Index(i)] += 2 * sign * shape[i];
+        for (std::size_t i = 0; i < shape.size(); ++i) z[300 + Index(i)] += 2 * sign * shape[i];
         CHECK(outliers(z) == std::vector<Index>{300, 301, 302, 303, 304, 305});
         CHECK((interpolated(z, outliers(z)) - clean).cwiseAbs().maxCoeff() < 0.03);
     }
@@ -81,8 +78,7 @@ TEST_CASE("a particle on a scan is found with all of its nodes and no other node
         for (const auto& [first, width] : at) {
             const auto is_found = [&](Index i) { return std::binary_search(found.begin(), found.end(), i); };
             Index inside = 0;
-            for (Index i = first; i < first + width; ++i)
-                inside += is_found(i);
+            for (Index i = first; i < first + width; ++i) inside += is_found(i);
             ++particles;
             whole += inside == width && !is_found(first - 1) && !is_found(first + width);
             cut += inside > 0 && inside < width;

@@ -29,8 +29,7 @@ TEST_CASE("a cosine has the parameters of textbooks") {
     CHECK(r["Pq"] == Approx(a / std::sqrt(2)).epsilon(1e-12));
     CHECK(r["Psk"] == Approx(0).margin(1e-12));
     CHECK(r["Pku"] == Approx(1.5).epsilon(1e-12));
-    for (const char* height : {"Pz", "Pt", "Pc"})
-        CHECK(r[height] == Approx(2 * a).epsilon(1e-12));
+    for (const char* height : {"Pz", "Pt", "Pc"}) CHECK(r[height] == Approx(2 * a).epsilon(1e-12));
     CHECK(r["Pdq"] == Approx(a * k / std::sqrt(2)).epsilon(1e-3));
     CHECK(r["rms curvature"] == Approx(a * k * k / std::sqrt(2)).epsilon(1e-3));
     CHECK(r["m0"] == Approx(a * a / 2));
@@ -59,8 +58,7 @@ TEST_CASE("Rz is the mean of the sections' heights and Rt the height of the whol
 
 TEST_CASE("a triangle wave has a straight bearing curve, only core") {
     Profile profile{Eigen::VectorXd(4000), 0.001};
-    for (Index i = 0; i < 4000; ++i)
-        profile.heights[i] = 0.004 * std::abs(double(i % 400) + 0.5 - 200) / 200;
+    for (Index i = 0; i < 4000; ++i) profile.heights[i] = 0.004 * std::abs(double(i % 400) + 0.5 - 200) / 200;
     const Roughness r = roughness(profile);
     CHECK(r["Pk"] == Approx(0.004).epsilon(1e-2));
     CHECK((r["Ppk"] < 4e-5 && r["Pvk"] < 4e-5));
@@ -120,8 +118,7 @@ TEST_CASE("spectral moments of a finely sampled profile are those of its cosines
         // whole numbers of waves on the length, so that means over it are exact
         Genome genome;
         genome.series.push_back({0.7, 0.8, 2, 1, {}});
-        for (int n = 1; n <= 5; ++n)
-            genome.series[0].chromosomes.push_back({n, {testing::uniform(random, 0, 6.28)}});
+        for (int n = 1; n <= 5; ++n) genome.series[0].chromosomes.push_back({n, {testing::uniform(random, 0, 6.28)}});
         const Roughness r = roughness(sample(genome, {.nodes = 8192, .length = 1, .periodic = true}));
         double m0 = 0, m2 = 0, m4 = 0;
         for (const Wave& wave : waves(genome)) {
@@ -140,8 +137,6 @@ TEST_CASE("roughness ignores a profile's mean height and scales with its heights
     Profile other = profile;
     other.heights = 3 * profile.heights.array() - 20;
     const Roughness one = roughness(profile), three = roughness(other);
-    for (const char* length : {"Pa", "Pz", "Pdq", "Ppk"})
-        CHECK(three[length] == Approx(3 * one[length]));
-    for (const char* ratio : {"Psk", "Pku", "bandwidth"})
-        CHECK(three[ratio] == Approx(one[ratio]).margin(1e-9));
+    for (const char* length : {"Pa", "Pz", "Pdq", "Ppk"}) CHECK(three[length] == Approx(3 * one[length]));
+    for (const char* ratio : {"Psk", "Pku", "bandwidth"}) CHECK(three[ratio] == Approx(one[ratio]).margin(1e-9));
 }

@@ -44,8 +44,7 @@ double closed_volume(const Facets& mesh) {
     std::map<std::pair<Corner, Corner>, int> edges;
     for (std::size_t f = 0; f < mesh.facets.size(); ++f) {
         const auto& [a, b, c] = mesh.facets[f];
-        for (const auto& edge : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
-            ++edges[edge];
+        for (const auto& edge : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) ++edges[edge];
         six += vector(a).dot(vector(b).cross(vector(c)));
         const Eigen::Vector3d normal = (vector(b) - vector(a)).cross(vector(c) - vector(a)).normalized();
         CHECK((normal - vector(mesh.normals[f])).norm() < 1e-6);
@@ -61,8 +60,7 @@ std::string output_of(const std::string& command) {
     FILE* pipe = popen(command.c_str(), "r");
     REQUIRE(pipe != nullptr);
     std::string output;
-    for (int c = 0; (c = std::fgetc(pipe)) != EOF;)
-        output += char(c);
+    for (int c = 0; (c = std::fgetc(pipe)) != EOF;) output += char(c);
     REQUIRE(pclose(pipe) == 0);
     return output;
 }
@@ -101,9 +99,7 @@ TEST_CASE("a map's solid is closed and as large as its prism over all cells", "[
         double volume = 0; // each cell is cut into two triangles along its rising diagonal
         for (Index j = 0; j < rows - 1; ++j)
             for (Index i = 0; i < columns - 1; ++i) {
-                const auto z = [&](Index x, Index y) {
-                    return map.heights[node(y, 5) * 7 + node(x, 7)] - low + 0.5;
-                };
+                const auto z = [&](Index x, Index y) { return map.heights[node(y, 5) * 7 + node(x, 7)] - low + 0.5; };
                 volume += (at(i + 1, 7, 0.1) - at(i, 7, 0.1)) * (at(j + 1, 5, 0.2) - at(j, 5, 0.2)) *
                           ((z(i, j) + z(i + 1, j + 1)) / 3 + (z(i + 1, j) + z(i, j + 1)) / 6);
             }
@@ -111,8 +107,7 @@ TEST_CASE("a map's solid is closed and as large as its prism over all cells", "[
         CHECK(mesh.facets.size() == std::size_t(4 * (columns * rows - 1)));
         CHECK(closed_volume(mesh) == Approx(8 * volume).epsilon(1e-5));
         Eigen::Array3f high = Eigen::Array3f::Zero();
-        for (const Eigen::Vector3f& vertex : solid(map, extrusion).vertices)
-            high = high.max(vertex.array());
+        for (const Eigen::Vector3f& vertex : solid(map, extrusion).vertices) high = high.max(vertex.array());
         CHECK(high[0] == Approx(2 * 0.7));
         CHECK(high[1] == Approx(2 * 1));
     }
@@ -133,8 +128,8 @@ TEST_CASE("ADMesh finds no fault in a profile's solid") {
         CHECK(count("Number of facets") == 8 * (nodes - 1) + 4);
         CHECK(count("Number of parts") == 1);
         for (const std::string fault :
-             {"Total disconnected facets", "Degenerate facets", "Edges fixed", "Facets removed",
-              "Facets added", "Facets reversed", "Backwards edges", "Normals fixed"})
+             {"Total disconnected facets", "Degenerate facets", "Edges fixed", "Facets removed", "Facets added",
+              "Facets reversed", "Backwards edges", "Normals fixed"})
             CHECK(count(fault) == 0);
     }
 }
@@ -147,8 +142,7 @@ TEST_CASE("a solid beyond single precision is refused, and its base leaves heigh
     CHECK_THROWS_WITH(binary_stl(profile, {.base = 1e7}), Catch::Contains("base 10000000 mm"));
     std::set<float> levels;
     for (const auto& facet : parsed(binary_stl({1e-9 * profile.heights, profile.spacing})).facets)
-        for (const Corner& corner : facet)
-            levels.insert(corner[2]);
+        for (const Corner& corner : facet) levels.insert(corner[2]);
     CHECK(levels.size() >= 45); // 50 nodes
 }
 
@@ -174,8 +168,8 @@ TEST_CASE("a 3MF file has the STL's solid in millimetres and the parts of its fo
           model.child("resources").child("object").attribute("id").value());
     std::vector<Corner> vertices;
     for (const auto& vertex : mesh.child("vertices").children())
-        vertices.push_back({vertex.attribute("x").as_float(), vertex.attribute("y").as_float(),
-                            vertex.attribute("z").as_float()});
+        vertices.push_back(
+            {vertex.attribute("x").as_float(), vertex.attribute("y").as_float(), vertex.attribute("z").as_float()});
     const Facets stl = parsed(binary_stl(profile, extrusion));
     std::size_t f = 0;
     for (const auto& triangle : mesh.child("triangles").children()) {

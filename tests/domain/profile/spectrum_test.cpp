@@ -32,14 +32,12 @@ TEST_CASE("a genome's discrete spectrum has one line per wavenumber and its mean
 TEST_CASE("the continuous spectrum of white noise is flat") {
     std::mt19937_64 random(3);
     Profile noise{Eigen::VectorXd(1 << 16), 0.01};
-    for (double& z : noise.heights)
-        z = std::normal_distribution<double>(2, 0.5)(random);
+    for (double& z : noise.heights) z = std::normal_distribution<double>(2, 0.5)(random);
     const Spectrum spectrum = continuous_spectrum(noise);
     const double flat = 0.25 / (pi / noise.spacing); // mean square over the Nyquist wave number
     const Index band = spectrum.density.size() / 8;
     for (Index b = 0; b < 8; ++b)
-        CHECK(spectrum.density.segment(b * band, band).mean() ==
-              Approx(flat).epsilon(0.08)); // 4096 values: 1/64 x 5
+        CHECK(spectrum.density.segment(b * band, band).mean() == Approx(flat).epsilon(0.08)); // 4096 values: 1/64 x 5
     CHECK(integral(spectrum) == Approx(0.25).epsilon(0.03));
     for (const Index nodes : {8, 9}) { // with and without a wave of two nodes: Parseval's theorem
         const Eigen::ArrayXd z = noise.heights.head(nodes);

@@ -11,8 +11,7 @@ namespace {
 
 using testing::paper_length;
 
-Response pressed(const Profile& profile, const Body& body, const std::vector<double>& displacements,
-                 Solver solver) {
+Response pressed(const Profile& profile, const Body& body, const std::vector<double>& displacements, Solver solver) {
     const ContactCurve curve = solve_contact(profile, body, displacements, {.solver = solver, .stop = {}});
     return response_of(curve.steps, curve.solver, displacement_range(profile, body.kernel),
                        full_contact_stiffness(profile, body));
@@ -33,12 +32,10 @@ TEST_CASE("full contact is as stiff as a flat profile by the direct solver, on a
     for (const Index nodes : {2, 3, 17, 100, 511, 2048})
         for (const double datum : {0.26 + 0.5 / static_cast<double>(nodes - 1), 1.0, 40.0})
             for (const Kernel kernel : {Kernel::free, Kernel::strip}) {
-                const Profile flat{Eigen::VectorXd::Zero(nodes),
-                                   paper_length / static_cast<double>(nodes - 1)};
+                const Profile flat{Eigen::VectorXd::Zero(nodes), paper_length / static_cast<double>(nodes - 1)};
                 const Body body{kernel, 3, datum * paper_length, 0.1 * datum * paper_length};
-                const double direct = solve_contact(flat, body, {1}, {.solver = Solver::nested, .stop = {}})
-                                          .steps[0]
-                                          .tangent_stiffness;
+                const double direct =
+                    solve_contact(flat, body, {1}, {.solver = Solver::nested, .stop = {}}).steps[0].tangent_stiffness;
                 INFO(nodes << " nodes, datum " << datum);
                 const double full = full_contact_stiffness(flat, body);
                 CHECK(std::abs(1 / full - 1 / direct) <= 1e-11 / direct);
@@ -111,8 +108,8 @@ TEST_CASE("the interface's secants follow central differences in every gene") {
         const CurveJacobian jacobian =
             interface_jacobian(secant_jacobian(response, testing::jacobian_of(genome, model)),
                                secant_stiffness(response), response.full_stiffness);
-        testing::check_derivatives(
-            genome, model, {{jacobian.y, [](const Response& each) { return interface_secants(each).y; }}});
+        testing::check_derivatives(genome, model,
+                                   {{jacobian.y, [](const Response& each) { return interface_secants(each).y; }}});
     }
 }
 
@@ -124,9 +121,8 @@ TEST_CASE("partial slip of a line contact is Cattaneo's and Mindlin's") { // c/a
     const double full = f * normal.pressure[39];
     for (Index k = 0; k <= 40; ++k) {
         INFO("row " << k); // the margin is a node's width of either contact
-        CHECK(
-            slip.stick_fraction[k] ==
-            Approx(std::sqrt(1 - slip.traction[k] / full)).margin(2 / (normal.contact_fraction[39] * 4001)));
+        CHECK(slip.stick_fraction[k] ==
+              Approx(std::sqrt(1 - slip.traction[k] / full)).margin(2 / (normal.contact_fraction[39] * 4001)));
     }
     CHECK((slip.traction[0] == 0 && slip.traction[40] == full));
     CHECK((slip.displacement[0] == 0 && slip.displacement[40] == f * normal.displacement[39]));

@@ -16,8 +16,7 @@ TEST_CASE("the adjoint derivative of the pressures follows central differences i
     for (const bool is_map : {false, true})
         for (Kernel kernel : {Kernel::free, Kernel::periodic, Kernel::strip})
             for (const char* end : {"reach", "pressure", "displacement"}) {
-                if (is_map && kernel == Kernel::strip)
-                    continue;
+                if (is_map && kernel == Kernel::strip) continue;
                 INFO("kernel " << int(kernel) << ", load by " << end << (is_map ? ", map" : ""));
                 Model model = paper_model(128);
                 model.body.kernel = kernel;
@@ -32,10 +31,8 @@ TEST_CASE("the adjoint derivative of the pressures follows central differences i
                 const Genome genome = random_genome(random, ridges == 1 ? 2 : 1, ridges, 0.84942,
                                                     is_map ? 0.2 : 8 * model.grid.spacing());
                 const Response whole = respond(genome, model);
-                if (end == std::string("pressure"))
-                    model.loading.to_pressure = 0.3 * whole.pressure.tail(1)[0];
-                if (end == std::string("displacement"))
-                    model.loading.to_displacement = 0.5 * whole.range;
+                if (end == std::string("pressure")) model.loading.to_pressure = 0.3 * whole.pressure.tail(1)[0];
+                if (end == std::string("displacement")) model.loading.to_displacement = 0.5 * whole.range;
                 const ResponseJacobian jacobian = testing::jacobian_of(genome, model);
                 testing::check_derivatives(
                     genome, model,
@@ -83,9 +80,8 @@ TEST_CASE("derivatives of pressures with a hardness follow central differences")
     const Genome genome = random_genome(random, 1, 1, 0.84942, 0.1);
     const Profile profile = sample(genome, model.grid);
     const double range = displacement_range(profile, model.body.kernel);
-    model.body.hardness = 0.4 * solve_contact(profile, model.body, {range}, {.states = true, .stop = {}})
-                                    .states[0]
-                                    .pressure.maxCoeff();
+    model.body.hardness =
+        0.4 * solve_contact(profile, model.body, {range}, {.states = true, .stop = {}}).states[0].pressure.maxCoeff();
     const auto answer = respond_with_gradient(profile, model.body, model.loading);
     CHECK(answer.response.held_nodes > 0);
     const double step = 1e-7 * range;
@@ -93,8 +89,7 @@ TEST_CASE("derivatives of pressures with a hardness follow central differences")
         Profile up = profile, down = profile;
         up.heights[node] += step;
         down.heights[node] -= step;
-        const Response right = respond(up, model.body, model.loading),
-                       left = respond(down, model.body, model.loading);
+        const Response right = respond(up, model.body, model.loading), left = respond(down, model.body, model.loading);
         if (right.contact_fraction != left.contact_fraction || right.held_nodes != left.held_nodes ||
             right.range != left.range)
             continue;
@@ -104,8 +99,7 @@ TEST_CASE("derivatives of pressures with a hardness follow central differences")
         CHECK((off > 1e-4 * answer.gradient.pressure.cwiseAbs().maxCoeff()).count() <= 1);
     }
     CHECK_THROWS_WITH(scaled(answer.response, 2), Catch::Contains("hardness"));
-    CHECK_THROWS_WITH(respond_with_gradient(profile, model.body, model.loading, {}, true),
-                      Catch::Contains("hardness"));
+    CHECK_THROWS_WITH(respond_with_gradient(profile, model.body, model.loading, {}, true), Catch::Contains("hardness"));
 }
 
 TEST_CASE("a curve is linear, continued with its end slopes and refused beyond its range") {
@@ -114,8 +108,7 @@ TEST_CASE("a curve is linear, continued with its end slopes and refused beyond i
     CHECK(curve.at(0) == Approx(0).margin(1e-12));
     for (const double far : {0., 1e6}) // wherever the range is
         for (const double beyond : {-1e-4, 5 + 1e-4})
-            CHECK_THROWS_AS((Curve{curve.x.array() + far, curve.y, far, far + 5}.at(far + beyond)),
-                            InputError);
+            CHECK_THROWS_AS((Curve{curve.x.array() + far, curve.y, far, far + 5}.at(far + beyond)), InputError);
 }
 
 TEST_CASE("a free map of cells is as large as its lengths and converges with its grid") {

@@ -89,8 +89,7 @@ std::string x3p_xml() {
 template <class Number = std::int16_t>
 std::string x3p_data() {
     std::string data;
-    for (const int height : map_heights)
-        append_little_endian(data, Number(height));
+    for (const int height : map_heights) append_little_endian(data, Number(height));
     return data;
 }
 
@@ -100,8 +99,7 @@ std::string x3p_file(char type = 'I') {
     valid[map_gap / 8] = char(~(1 << map_gap % 8));
     xml[xml.find("<DataType>I") + 10] = type;
     if (type != 'I')
-        for (const std::string path : {"bindata/data", "bindata/valid"})
-            xml.replace(xml.find(path), 0, "./");
+        for (const std::string path : {"bindata/data", "bindata/valid"}) xml.replace(xml.find(path), 0, "./");
     return zipped({{"main.xml", xml},
                    {"bindata/data.bin", type == 'L'   ? x3p_data<std::int32_t>()
                                         : type == 'F' ? x3p_data<float>()
@@ -191,8 +189,7 @@ TEST_CASE("every instrument's format gives the same map in mm, rows along x") {
         CHECK_THAT(scan.account, Catch::Contains("row 1 of 2 rows of 9 heights"));
         CHECK(read_file(bytes, {.fill = true, .row = 2}).measured.heights[7] ==
               Approx(has_mark ? 3e-5 : -8e-5).epsilon(1e-6));
-        CHECK_THAT(refusal_of_file(bytes, {.row = 2}),
-                   Catch::Contains(has_mark ? "missing value" : "read as"));
+        CHECK_THAT(refusal_of_file(bytes, {.row = 2}), Catch::Contains(has_mark ? "missing value" : "read as"));
         for (const Index row : {0, 3})
             CHECK_THAT(refusal_of_file(bytes, {.row = row}), Catch::Contains("the row to take, 1 to 2"));
         CHECK_THAT(refusal_of_file(bytes, {.spacing = 7, .row = 1}), Catch::Contains("spacing"));
@@ -233,14 +230,12 @@ TEST_CASE("a profile written as X3P is read back to the last bit") {
     const tests::Folder folder;
     folder.write("main.xml", zip.entry("main.xml", 10000).value());
     folder.write("md5checksum.hex", zip.entry("md5checksum.hex", 1000).value());
-    CHECK(std::system(
-              ("cd '" + folder.path().string() + "' && md5sum --status -c md5checksum.hex").c_str()) == 0);
+    CHECK(std::system(("cd '" + folder.path().string() + "' && md5sum --status -c md5checksum.hex").c_str()) == 0);
 }
 
 TEST_CASE("an X3P with a wrong check sum or mask is refused") {
     const std::string xml = testing::x3p_xml(), data = testing::x3p_data(), valid(3, '\xFF');
-    const auto refused = [&](const std::string& description,
-                             std::vector<std::pair<std::string, std::string>> more) {
+    const auto refused = [&](const std::string& description, std::vector<std::pair<std::string, std::string>> more) {
         more.insert(more.begin(), {{"main.xml", description}, {"bindata/data.bin", data}});
         return refusal_of_file(zipped(more));
     };
@@ -258,15 +253,13 @@ TEST_CASE("an X3P with a wrong check sum or mask is refused") {
     std::string other = zip.entry("bindata/data.bin", 1000).value();
     other[3] ^= 1;
     CHECK_THAT(
-        refusal_of_file(
-            zipped({{"main.xml", zip.entry("main.xml", 10000).value()}, {"bindata/data.bin", other}}), {}),
+        refusal_of_file(zipped({{"main.xml", zip.entry("main.xml", 10000).value()}, {"bindata/data.bin", other}}), {}),
         Catch::Contains("but the archive gives"));
 }
 
 TEST_CASE("X3P with heights in its XML is read under any namespace") {
-    std::string list =
-        "<q:Record3 xmlns:q='u'><q:ListDimension>4</q:ListDimension><q:DataList><q:Datum>1;0;3</q:Datum>"
-        "<q:Datum>2;0;4.5</q:Datum><q:Datum/><q:Datum>-1</q:Datum></q:DataList></q:Record3>";
+    std::string list = "<q:Record3 xmlns:q='u'><q:ListDimension>4</q:ListDimension><q:DataList><q:Datum>1;0;3</q:Datum>"
+                       "<q:Datum>2;0;4.5</q:Datum><q:Datum/><q:Datum>-1</q:Datum></q:DataList></q:Record3>";
     std::string xml = testing::x3p_xml();
     const auto from = xml.find("<Record3>"), to = xml.find("</Record3>") + 10;
     xml.replace(from, to - from, list);
@@ -274,8 +267,7 @@ TEST_CASE("X3P with heights in its XML is read under any namespace") {
     REQUIRE(map->heights.size() == 4);
     CHECK(map->heights[1] == 4.5);
     CHECK(std::isnan(map->heights[2]));
-    CHECK_THAT(refusal_of_file(x3p_of(changed(xml, "<q:Datum>-1</q:Datum>", ""))),
-               Catch::Contains("lists 3 heights"));
+    CHECK_THAT(refusal_of_file(x3p_of(changed(xml, "<q:Datum>-1</q:Datum>", ""))), Catch::Contains("lists 3 heights"));
     CHECK_THAT(refusal_of_file(x3p_of(changed(xml, "<q:Datum>-1<", "<q:Datum>0</q:Datum><q:Datum>-1<"))),
                Catch::Contains("lists 5 heights"));
     CHECK_THAT(refusal_of_file(x3p_of(changed(xml, "4.5", "high"))), Catch::Contains("'high'"));
@@ -318,8 +310,7 @@ TEST_CASE("a damaged instrument's file is refused in one line with its fault") {
         {"GWYPx" + std::string("\0\xFF\xFF\0\0", 5), "ends early"},
         {"\x89HDF\r\n" + std::string(8, '\0'), "(an HDF5 file, as Zygo's DATX)"},
     };
-    for (const auto& [bytes, fault] : damaged)
-        CHECK_THAT(refusal_of_file(bytes), Catch::Contains(fault));
+    for (const auto& [bytes, fault] : damaged) CHECK_THAT(refusal_of_file(bytes), Catch::Contains(fault));
 }
 
 TEST_CASE("surfaces written as X3P or SUR are read back", "[map]") {
@@ -338,8 +329,7 @@ TEST_CASE("surfaces written as X3P or SUR are read back", "[map]") {
     }
     CHECK_THAT(map_refusal(x3p(relief), {.spacing = 0.02}),
                Catch::Contains("the file gives a spacing along x of 0.01"));
-    CHECK_THAT(map_refusal(x3p(relief), {.unit = "um"}),
-               Catch::Contains("heights in m, but the given unit is µm"));
+    CHECK_THAT(map_refusal(x3p(relief), {.unit = "um"}), Catch::Contains("heights in m, but the given unit is µm"));
     CHECK(sur(relief)[88] == 1); // the header's mark of absolute heights
 }
 
@@ -350,8 +340,7 @@ TEST_CASE("a matrix and points x, y, height in any order are the same map", "[ma
     for (const Map* map : {&by_rows, &by_points}) {
         CHECK((map->heights.shape() == Extent{3, 2} && map->heights.spacing == Approx(0.01)));
         CHECK(map->heights.row_spacing == Approx(0.02));
-        for (Index k = 0; k < 6; ++k)
-            CHECK(map->heights.heights[k] == Approx(1e-3 * double(k + 1)));
+        for (Index k = 0; k < 6; ++k) CHECK(map->heights.heights[k] == Approx(1e-3 * double(k + 1)));
     }
 }
 
@@ -382,6 +371,5 @@ TEST_CASE("a map's VTK file has every point, highest byte first", "[map]") {
         CHECK(number(3 * k + 1) == Approx(0.025 * double(k / 6)).margin(1e-18));
         CHECK(number(3 * k + 2) == relief.heights[Index(k)]);
     }
-    CHECK_THAT(bytes.substr(first + 24 * 24),
-               Catch::StartsWith("\nPOINT_DATA 24\nSCALARS height_mm double 1\n"));
+    CHECK_THAT(bytes.substr(first + 24 * 24), Catch::StartsWith("\nPOINT_DATA 24\nSCALARS height_mm double 1\n"));
 }

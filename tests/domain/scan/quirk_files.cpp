@@ -9,8 +9,7 @@ std::string number(double value, int decimals, char point) {
     std::snprintf(text, sizeof text, "%.*f", decimals, value);
     std::string written = text;
     for (char& c : written)
-        if (c == '.')
-            c = point;
+        if (c == '.') c = point;
     return written;
 }
 
@@ -35,8 +34,7 @@ std::string height_at(std::size_t i, const Form& form) {
 /// A header, then one line for each point.
 std::string listed(const std::string& header, auto line) {
     std::string text = header;
-    for (std::size_t i = 0; i < quirk_heights.size(); ++i)
-        text += line(i);
+    for (std::size_t i = 0; i < quirk_heights.size(); ++i) text += line(i);
     return text;
 }
 
@@ -52,8 +50,7 @@ std::string one_column(const Form& form) {
 
 std::string utf16(const std::string& ascii) {
     std::string bytes = "\xFF\xFE";
-    for (char c : ascii)
-        bytes += c, bytes += '\0';
+    for (char c : ascii) bytes += c, bytes += '\0';
     return bytes;
 }
 
@@ -90,20 +87,17 @@ std::vector<QuirkFile> columns() {
         {"a running index for x",
          listed("", [](std::size_t i) { return std::to_string(i) + " " + height_at(i, {}) + "\n"; }), "",
          quirk_spacing},
-        {"numbers in quotes",
-         "\"x\",\"z\"\n" + two_columns({.separator = "\",\"", .before = "\"", .behind = "\""})},
-        {"x running backwards", listed("",
-                                       [last = quirk_heights.size() - 1](std::size_t i) {
-                                           return x_at(last - i, {}) + " " + height_at(last - i, {}) + "\n";
-                                       })},
+        {"numbers in quotes", "\"x\",\"z\"\n" + two_columns({.separator = "\",\"", .before = "\"", .behind = "\""})},
+        {"x running backwards",
+         listed("", [last = quirk_heights.size() -
+                            1](std::size_t i) { return x_at(last - i, {}) + " " + height_at(last - i, {}) + "\n"; })},
     };
 }
 
 std::vector<QuirkFile> headers() {
     const Form mixed{.separator = ";", .x_unit = 1, .height_unit = 1e-3};
     const Form nano{.separator = ",", .x_unit = 1e-3, .height_unit = 1e-6};
-    const Form metres{
-        .separator = " ", .x_unit = 1e3, .height_unit = 1e3, .x_decimals = 10, .height_decimals = 10};
+    const Form metres{.separator = " ", .x_unit = 1e3, .height_unit = 1e3, .x_decimals = 10, .height_decimals = 10};
     const Form angstrom{.separator = "\t", .x_unit = 1e-6, .height_unit = 1e-7};
     return {
         {"units in brackets", "x [mm];z [\xC2\xB5m]\n" + two_columns(mixed)},
@@ -112,9 +106,8 @@ std::vector<QuirkFile> headers() {
         {"names without blanks between", "x[mm]z[um]\n" + two_columns(mixed)},
         {"units after a slash", "x/um,z/nm\n" + two_columns(nano)},
         {"two units by one key", "Units: x mm, z um\n" + two_columns(mixed)},
-        {"units in words",
-         "Lateral um,Raw Nanometer,\n" +
-             two_columns({.separator = ",", .x_unit = 1e-3, .height_unit = 1e-6, .behind = ",,"})},
+        {"units in words", "Lateral um,Raw Nanometer,\n" +
+                               two_columns({.separator = ",", .x_unit = 1e-3, .height_unit = 1e-6, .behind = ",,"})},
         {"units in a separate line", "x;z\n[mm];[um]\n" + two_columns(mixed)},
         {"units alone and a count",
          "\xC2\xB5m \xC2\xB5m\n8\n" + two_columns({.separator = ", ", .x_unit = 1e-3, .height_unit = 1e-3})},
@@ -124,17 +117,15 @@ std::vector<QuirkFile> headers() {
         {"Angstrom", "x [nm]\tz [\xC3\x85]\n" + two_columns(angstrom)},
         {"units by key", "x-unit: um\nz-unit: nm\n" + two_columns(nano)},
         {"one named, the other given", "X_(microns),y1\n" + two_columns(nano), "nm"},
-        {"Dektak export",
-         "Scan Parameters\nScan Type,Standard Scan\nID,0\nStylus,Radius: 2.5 \xB5m\nLength,3.5 um\n"
-         "Resolution,0.5 um/sample\nR. Cursor,Pos: 1.0 um Width: 0.0 um\n\nAnalytical Results\n"
-         "Function,R.Cur Pos,Result\nRa,4.0 um,0.0052 um\n\nScan Data\nLateral um,Raw Micrometer,\n" +
-             two_columns({.separator = ",", .x_unit = 1e-3, .height_unit = 1e-3, .behind = ",,"})},
+        {"Dektak export", "Scan Parameters\nScan Type,Standard Scan\nID,0\nStylus,Radius: 2.5 \xB5m\nLength,3.5 um\n"
+                          "Resolution,0.5 um/sample\nR. Cursor,Pos: 1.0 um Width: 0.0 um\n\nAnalytical Results\n"
+                          "Function,R.Cur Pos,Result\nRa,4.0 um,0.0052 um\n\nScan Data\nLateral um,Raw Micrometer,\n" +
+                              two_columns({.separator = ",", .x_unit = 1e-3, .height_unit = 1e-3, .behind = ",,"})},
         {"HFM export", "X;Y;valid\n[mm];[mm];[1/0]\n" + two_columns({.separator = ";", .behind = ";1"})},
         {"matrix text with a width",
          "# Channel: Main\n# Width: 4 \xC2\xB5m\n# Value units: nm\n" + one_column({.height_unit = 1e-6})},
         {"SPIP's keys with a key for the lengths' unit",
-         "# x-pixels = 8\n# x-length = 4\n# x-unit = um\n# z-unit = nm\n" +
-             one_column({.height_unit = 1e-6})},
+         "# x-pixels = 8\n# x-length = 4\n# x-unit = um\n# z-unit = nm\n" + one_column({.height_unit = 1e-6})},
         {"a first width of nothing and a factor of no unit",
          "Width = 0 um\nHeight conversion factor (of a volt) = 3\nPixel size = 0.5 um\nValue units: nm\n" +
              one_column({.height_unit = 1e-6})},
@@ -152,8 +143,7 @@ std::vector<QuirkFile> named_layouts() {
     const std::string etx = "\x03\r\n";
     const auto nul = [](std::string text) {
         for (char& c : text)
-            if (c == '~')
-                c = '\0';
+            if (c == '~') c = '\0';
         return text;
     };
     return {
@@ -166,11 +156,10 @@ std::vector<QuirkFile> named_layouts() {
              "CZ~ A~ 8 um~ 1.0e0 D~\r\n" +
              etx + "DATE: 13-May-2005~\r\nCREATED_BY N. N.~\r\nCOMMENT /* 8 points */~\r\n" + etx) +
              microns + etx + "23456\r\n" + etx + "\x1a"},
-        {"Talysurf PRF",
-         "1 2\r\nSG2004 0.000000e+000 PRF\r\nCX M 8.000000e+000 MM 1.000000e+000 D\r\n"
-         "CZ M 8.000000e+000 MM 1.000000e-006 L\r\nEOR\r\nSTYLUS_RADIUS 0.000000e+000 MM\r\n"
-         "SPACING CX 5.000000e-004\r\nMAP 1.000000e+000 CZ CZ 1.000000e+000 1.000000e+000\r\nEOR\r\n" +
-             one_column({.end = "\r\n", .height_unit = 1e-6, .height_decimals = 0}) + "EOR\r\nEOF\r\n"},
+        {"Talysurf PRF", "1 2\r\nSG2004 0.000000e+000 PRF\r\nCX M 8.000000e+000 MM 1.000000e+000 D\r\n"
+                         "CZ M 8.000000e+000 MM 1.000000e-006 L\r\nEOR\r\nSTYLUS_RADIUS 0.000000e+000 MM\r\n"
+                         "SPACING CX 5.000000e-004\r\nMAP 1.000000e+000 CZ CZ 1.000000e+000 1.000000e+000\r\nEOR\r\n" +
+                             one_column({.end = "\r\n", .height_unit = 1e-6, .height_decimals = 0}) + "EOR\r\nEOF\r\n"},
         {"PTB's PR", "Profil C:\\a.pr\r\nX-len = 3.50000000 X-resolution 2000.000000 points/scanline: 8\r\n" +
                          microns.substr(0, microns.size() - 2)},
         {"PTB's PR in German",
@@ -198,15 +187,13 @@ std::vector<QuirkFile> text_forms() {
         {"comments above, between and behind",
          "% made by hand\n" + swapped(rows, "0.0010000", "0.0010000\n# pause") + "# end\n"},
         {"a remark behind a row", swapped(rows, "0.0030000\n", "0.0030000 # a scratch\n")},
-        {"a title and a preamble",
-         "Sample 7, ground steel\nOperator: N. N.\nSpeed = 0.5 mm/s\n\nx\tz\n" + rows},
+        {"a title and a preamble", "Sample 7, ground steel\nOperator: N. N.\nSpeed = 0.5 mm/s\n\nx\tz\n" + rows},
         {"a count before two columns", "8\n" + rows},
         {"plus signs", two_columns({.before = "+"})},
         {"a typographic minus", swapped(rows, "-0.0025",
                                         "\xE2\x88\x92"
                                         "0.0025")},
-        {"x rounded in its last digit",
-         two_columns({.x_unit = 1, .x_decimals = 7}).replace(0, 9, "0.0000001")},
+        {"x rounded in its last digit", two_columns({.x_unit = 1, .x_decimals = 7}).replace(0, 9, "0.0000001")},
     };
 }
 

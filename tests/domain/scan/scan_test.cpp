@@ -21,8 +21,7 @@ std::string refusal(const std::string& bytes, ScanOptions options = {.detrend = 
 
 std::string rows(int count, auto height) {
     std::string text;
-    for (int i = 0; i < count; ++i)
-        text += std::to_string(i) + " " + std::to_string(height(i)) + "\n";
+    for (int i = 0; i < count; ++i) text += std::to_string(i) + " " + std::to_string(height(i)) + "\n";
     return text;
 }
 
@@ -35,8 +34,7 @@ TEST_CASE("files with different quirks of real scans give the same profile") {
     REQUIRE(files.size() >= 30);
     for (const QuirkFile& file : files) {
         INFO(file.quirk << "\n" << file.bytes);
-        const Scan scan =
-            read(file.bytes, {.unit = file.unit, .spacing = file.spacing, .detrend = Detrend::none});
+        const Scan scan = read(file.bytes, {.unit = file.unit, .spacing = file.spacing, .detrend = Detrend::none});
         INFO(scan.account);
         CHECK(scan.measured.spacing == Approx(quirk_spacing).epsilon(1e-4));
         REQUIRE(scan.measured.nodes() == Index(quirk_heights.size()));
@@ -68,11 +66,9 @@ TEST_CASE("the requested row of an areal matrix is taken, from 1") {
 TEST_CASE("a unit is refused only if it contradicts the header") {
     CHECK_THAT(refusal("x [mm];z [um]\n0;1\n1;2\n2;1\n", {.unit = "mm"}),
                Catch::Contains("header gives heights in µm"));
-    CHECK_THAT(refusal("x [um];z [um]\n0;1\n1;2\n2;1\n", {.unit = "nm"}),
-               Catch::Contains("header gives x in µm"));
+    CHECK_THAT(refusal("x [um];z [um]\n0;1\n1;2\n2;1\n", {.unit = "nm"}), Catch::Contains("header gives x in µm"));
     CHECK_NOTHROW(read("x [um];z [um]\n0;1\n1;2\n2;1\n", {.unit = "micron"}));
-    CHECK_THAT(refusal("0 1\n1 2\n2 1\n", {.unit = "furlong"}),
-               Catch::Contains("'furlong'") && Catch::Contains("µm"));
+    CHECK_THAT(refusal("0 1\n1 2\n2 1\n", {.unit = "furlong"}), Catch::Contains("'furlong'") && Catch::Contains("µm"));
     CHECK_THAT(refusal("x [mm];z [V]\n0;1\n1;2\n2;1\n"), Catch::Contains("line 1") && Catch::Contains("'V'"));
 }
 
@@ -93,17 +89,15 @@ TEST_CASE("a missing value is refused with its line, or filled linearly on reque
         CHECK_THAT(refusal(text), Catch::Contains("line 3") && Catch::Contains("a height"));
         const Scan scan = read(text, {.detrend = Detrend::none, .fill = true, .max_filled = 0.5});
         CHECK(scan.measured.heights[1] == Approx(2));
-        CHECK_THAT(scan.account,
-                   Catch::Contains("1 missing point (25 %), largest hole 1 mm filled linearly"));
+        CHECK_THAT(scan.account, Catch::Contains("1 missing point (25 %), largest hole 1 mm filled linearly"));
     }
     CHECK_THAT(refusal("x;z\n0;1\n;2\n2;3\n3;0\n"), Catch::Contains("line 3") && Catch::Contains("an x"));
     const std::string invalid = "X;Y;valid\n[mm];[mm];[1/0]\n0;1;1\n1;9;0\n2;3;1\n";
     CHECK_THAT(refusal(invalid), Catch::Contains("line 4"));
-    CHECK(read(invalid, {.detrend = Detrend::none, .fill = true, .max_filled = 0.5}).measured.heights[1] ==
-          Approx(2));
+    CHECK(read(invalid, {.detrend = Detrend::none, .fill = true, .max_filled = 0.5}).measured.heights[1] == Approx(2));
     CHECK_THAT(refusal("1\nnan\n3\n", {.spacing = 1}), Catch::Contains("line 2"));
-    const Scan scan = read("0 nan\n1 2\n2 nan\n3 6\n4 1\n5 nan\n",
-                           {.detrend = Detrend::none, .fill = true, .max_filled = 0.5});
+    const Scan scan =
+        read("0 nan\n1 2\n2 nan\n3 6\n4 1\n5 nan\n", {.detrend = Detrend::none, .fill = true, .max_filled = 0.5});
     REQUIRE(scan.measured.nodes() == 4);
     CHECK(scan.measured.heights[1] == Approx(4));
     CHECK_THAT(scan.account, Catch::Contains("2 incomplete points left out"));
@@ -112,8 +106,7 @@ TEST_CASE("a missing value is refused with its line, or filled linearly on reque
 TEST_CASE("unevenly spaced points are resampled on the straight lines between them") {
     const Scan scan = read("0 0\n1 2\n4 8\n10 20\n11 0\n");
     CHECK(scan.measured.spacing == Approx(11. / 4));
-    for (Index i = 0; i < 4; ++i)
-        CHECK(scan.measured.heights[i] == Approx(2 * 11. / 4 * double(i)));
+    for (Index i = 0; i < 4; ++i) CHECK(scan.measured.heights[i] == Approx(2 * 11. / 4 * double(i)));
     CHECK(scan.measured.heights[4] == Approx(0).margin(1e-12));
     CHECK_THAT(scan.account,
                Catch::Contains("spacing uneven (1 to 6 mm); resampled linearly to 5 evenly spaced nodes"));
@@ -138,10 +131,8 @@ TEST_CASE("a spacing rounded in its last digit is even and leaves heights unchan
 }
 
 TEST_CASE("points out of order are refused with their line") {
-    CHECK_THAT(refusal("0 1\n1 2\n0.5 1\n2 0\n"),
-               Catch::Contains("line 3") && Catch::Contains("does not grow"));
-    CHECK_THAT(refusal("1 1\n0.25 2\n5 1\n7 0\n"),
-               Catch::Contains("line 2") && Catch::Contains("0.25 mm after 1 mm"));
+    CHECK_THAT(refusal("0 1\n1 2\n0.5 1\n2 0\n"), Catch::Contains("line 3") && Catch::Contains("does not grow"));
+    CHECK_THAT(refusal("1 1\n0.25 2\n5 1\n7 0\n"), Catch::Contains("line 2") && Catch::Contains("0.25 mm after 1 mm"));
 }
 
 TEST_CASE("a file that is not a line scan is refused in one line with the reason") {
@@ -184,18 +175,15 @@ TEST_CASE("only the mean, line or parabola is removed, exactly") {
     const auto polynomial = [](int i) { return 3 - 0.5 * i + 0.02 * i * i; };
     const auto bump = [](int i) { return i == 10 ? 1. : 0.; };
     const auto with_bump = [&](int i) { return polynomial(i) + bump(i); };
-    const Eigen::VectorXd heights =
-        read(rows(41, with_bump), {.detrend = Detrend::parabola}).measured.heights;
+    const Eigen::VectorXd heights = read(rows(41, with_bump), {.detrend = Detrend::parabola}).measured.heights;
     const Eigen::VectorXd alone = read(rows(41, bump), {.detrend = Detrend::parabola}).measured.heights;
     CHECK((heights - alone).cwiseAbs().maxCoeff() < 1e-12 * polynomial(40));
     const Eigen::ArrayXd i = Eigen::ArrayXd::LinSpaced(41, 0, 40);
     for (const Detrend form : {Detrend::mean, Detrend::line, Detrend::parabola}) {
         const Eigen::ArrayXd rest = read(rows(41, with_bump), {.detrend = form}).measured.heights.array();
         CHECK(std::abs(rest.sum()) < 1e-10);
-        if (form != Detrend::mean)
-            CHECK(std::abs((rest * i).sum()) < 1e-9);
-        if (form == Detrend::parabola)
-            CHECK(std::abs((rest * i * i).sum()) < 1e-7);
+        if (form != Detrend::mean) CHECK(std::abs((rest * i).sum()) < 1e-9);
+        if (form == Detrend::parabola) CHECK(std::abs((rest * i * i).sum()) < 1e-7);
     }
     CHECK(read(rows(5, polynomial)).measured.heights[2] == Approx(polynomial(2)));
 }
@@ -219,8 +207,7 @@ TEST_CASE("the form of a polynomial or an arc is removed exactly") {
     // a profile without curvature is its line
     const Eigen::VectorXd line = Eigen::VectorXd::LinSpaced(301, 0, 1);
     CHECK(detrended({line, 0.01}, Detrend::arc).cwiseAbs().maxCoeff() < 1e-12);
-    CHECK_THROWS_WITH(detrended({1e3 * Eigen::VectorXd::Random(301), 1e-9}, Detrend::arc),
-                      Catch::Contains("no arc"));
+    CHECK_THROWS_WITH(detrended({1e3 * Eigen::VectorXd::Random(301), 1e-9}, Detrend::arc), Catch::Contains("no arc"));
 }
 
 TEST_CASE("outliers are reported, and replaced on request") {
@@ -235,16 +222,14 @@ TEST_CASE("outliers are reported, and replaced on request") {
 }
 
 TEST_CASE("filters remove short and long waves after the form, as the account states") {
-    const auto waves = [](double x) {
-        return std::cos(2 * M_PI * x / 40) + 0.1 * std::cos(2 * M_PI * x / 4);
-    };
+    const auto waves = [](double x) { return std::cos(2 * M_PI * x / 40) + 0.1 * std::cos(2 * M_PI * x / 4); };
     const auto text = rows(800, [&](int i) { return waves(0.1 * i); });
     ScanOptions options{.detrend = Detrend::none, .lambda_c = 80}; // mm, at a spacing of 1 mm
     const Scan scan = read(text, options);
     CHECK_THAT(scan.account, Catch::Contains("waves over lambda_c = 80 mm removed"));
-    CHECK(scan.measured.heights[400] == Approx(waves(40.) - std::pow(2, -std::pow(80. / 400, 2)) * 1 -
-                                               0.1 * std::pow(2, -std::pow(80. / 40, 2)))
-                                            .margin(1e-4));
+    CHECK(scan.measured.heights[400] ==
+          Approx(waves(40.) - std::pow(2, -std::pow(80. / 400, 2)) * 1 - 0.1 * std::pow(2, -std::pow(80. / 40, 2)))
+              .margin(1e-4));
     options.lambda_s = 80;
     CHECK_THAT(refusal(text, options), Catch::Contains("less than lambda-c"));
     options.lambda_s = -1;
@@ -258,13 +243,11 @@ TEST_CASE("x and heights may have different given units") {
     CHECK(read("1\n3\n1\n", {.unit = "um,nm", .spacing = 2, .detrend = Detrend::none}).measured.spacing ==
           Approx(2e-3));
     CHECK_THAT(refusal("0 1\n1 3\n2 1\n", {.unit = "um,parsec"}), Catch::Contains("parsec"));
-    CHECK_THAT(refusal("x [um] z [nm]\n0 1\n1 3\n2 1\n", {.unit = "um,um"}),
-               Catch::Contains("heights in nm"));
+    CHECK_THAT(refusal("x [um] z [nm]\n0 1\n1 3\n2 1\n", {.unit = "um,um"}), Catch::Contains("heights in nm"));
 }
 
 TEST_CASE("a count of points may precede them, up to 1e9") {
-    CHECK_THAT(read("4\n" + four_rows).account,
-               Catch::Contains(": 4 points") && !Catch::Contains("announces"));
+    CHECK_THAT(read("4\n" + four_rows).account, Catch::Contains(": 4 points") && !Catch::Contains("announces"));
     CHECK_THAT(read("5\n0 99\n1 101\n2 99\n3 101\n").account,
                Catch::Contains(": 4 points, length 3 mm, height range 2 mm, rms 1 mm; ") &&
                    Catch::Contains("the file announces 5 points"));
@@ -275,8 +258,7 @@ TEST_CASE("a count of points may precede them, up to 1e9") {
 
 TEST_CASE("points on a diagonal are refused as a map") {
     std::string places; // a grid through them has 4e10 nodes
-    for (int i = 0; i < 200'000; ++i)
-        places += std::to_string(i) + " " + std::to_string(i) + ".5 1\n";
+    for (int i = 0; i < 200'000; ++i) places += std::to_string(i) + " " + std::to_string(i) + ".5 1\n";
     const tests::Folder folder;
     CHECK_THROWS_WITH(read_map(folder.write("grid.txt", places), {}), Catch::Contains("give a whole grid"));
 }
@@ -288,14 +270,13 @@ TEST_CASE("a text map's header gives units and spacings, or is refused", "[map]"
         options.detrend = Detrend::none;
         return read_map(folder.write("map.txt", text), options);
     };
-    for (const std::string head : {"# Value units: um", "# Unit: um", "# unit = um", "# z [um]",
-                                   "# Data unit: um", "\"Unit\",\"um\""}) {
+    for (const std::string head :
+         {"# Value units: um", "# Unit: um", "# unit = um", "# z [um]", "# Data unit: um", "\"Unit\",\"um\""}) {
         INFO(head);
         const Map read = map(head + "\n" + matrix, {.spacing = 0.5});
         CHECK(read.heights.heights[5] == Approx(6e-3));
         CHECK_THAT(read.account, Catch::Contains("heights in µm (header), spacing in mm (assumed)"));
-        CHECK_THROWS_WITH(map(head + "\n" + matrix, {.unit = "mm", .spacing = 0.5}),
-                          Catch::Contains("heights in µm"));
+        CHECK_THROWS_WITH(map(head + "\n" + matrix, {.unit = "mm", .spacing = 0.5}), Catch::Contains("heights in µm"));
     }
     const std::string sides = "Width: 2.00 um\nHeight: 6.0 um\n";
     CHECK(map(sides + matrix).heights.spacing == Approx(5e-4));
@@ -316,8 +297,7 @@ TEST_CASE("a text map's header gives units and spacings, or is refused", "[map]"
 
 TEST_CASE("a count and a length on separate lines are not heights") {
     std::string heights;
-    for (int i = 0; i < 30; ++i)
-        heights += std::to_string(i % 7) + ".5\n";
+    for (int i = 0; i < 30; ++i) heights += std::to_string(i % 7) + ".5\n";
     for (const std::string head : {"10.0\n30\n", "30\n10.0\n", "30\n"})
         CHECK(read(head + heights, {.spacing = 1, .detrend = Detrend::none}).measured.nodes() == 30);
     CHECK(read("10.0\n" + heights, {.spacing = 1}).measured.nodes() == 31);
@@ -347,8 +327,7 @@ TEST_CASE("holes of a map are filled by a plane or another harmonic function exa
 
 TEST_CASE("spikes at the ends are outliers, the steps of levelled digital heights are not") {
     Eigen::VectorXd z(200), digital(400);
-    for (Index i = 0; i < z.size(); ++i)
-        z[i] = std::sin(0.1 * double(i)) + 0.05 * std::sin(37. * double(i * i));
+    for (Index i = 0; i < z.size(); ++i) z[i] = std::sin(0.1 * double(i)) + 0.05 * std::sin(37. * double(i * i));
     CHECK(outliers(z).empty());
     for (const Index node : {0, 1, 2, 197, 198, 199}) {
         Eigen::VectorXd spiked = z;
@@ -356,9 +335,8 @@ TEST_CASE("spikes at the ends are outliers, the steps of levelled digital height
         CHECK(outliers(spiked) == std::vector<Index>{node});
     }
     for (Index i = 0; i < digital.size(); ++i)
-        digital[i] =
-            0.0129 * std::round(std::sin(0.02 * double(i)) / 0.0129 * 0.3 + 0.4 * std::sin(double(i * i))) -
-            1.4e-6 * double(i);
+        digital[i] = 0.0129 * std::round(std::sin(0.02 * double(i)) / 0.0129 * 0.3 + 0.4 * std::sin(double(i * i))) -
+                     1.4e-6 * double(i);
     CHECK(outliers(digital).empty());
     digital[200] += 1;
     CHECK(outliers(digital) == std::vector<Index>{200});

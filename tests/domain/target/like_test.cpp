@@ -28,8 +28,7 @@ TEST_CASE("a target like a profile is the profile's curve at even points") {
     CHECK(target.points() == 5);
     CHECK(target.x[0] == Approx(curve.to / 5));
     CHECK(target.last() == curve.to);
-    CHECK(target_like(profile, model, "waves", Quantity::stiffness, {5, 0.25 * curve.to}).last() ==
-          0.25 * curve.to);
+    CHECK(target_like(profile, model, "waves", Quantity::stiffness, {5, 0.25 * curve.to}).last() == 0.25 * curve.to);
     CHECK(target_like(profile, model, "waves", Quantity::stiffness, {5, 2 * curve.to}).last() == curve.to);
     const Target band = target_like(profile, model, "waves", Quantity::stiffness, {5}, Resolution::on);
     const Eigen::VectorXd x = PointPlacement{.count = 4, .first = 1e-3, .logarithmic = true}.up_to(1);
@@ -43,8 +42,8 @@ TEST_CASE("a profile meets its response as a target, in few load steps as well")
         Profile profile = waves(); // long waves: stiffness jumps when the second hill touches
         for (Index i = 0; i < profile.nodes(); ++i) {
             const double x = static_cast<double>(i) / 20;
-            profile.heights[i] = std::cos(x + seed) + 0.7 * std::cos(1.4 * x + 2.7 * seed) +
-                                 0.5 * std::cos(2 * x + 0.9 * seed);
+            profile.heights[i] =
+                std::cos(x + seed) + 0.7 * std::cos(1.4 * x + 2.7 * seed) + 0.5 * std::cos(2 * x + 0.9 * seed);
         }
         Model model = model_of(profile);
         model.loading.steps = 2 + seed % 3;

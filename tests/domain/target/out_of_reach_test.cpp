@@ -24,8 +24,7 @@ Profile dented_punch(const Model& model, double depth) {
     const double delta = grid.spacing();
     const auto h = influence_column(in_units(model.body, delta, 0), grid.shape());
     Profile profile{Eigen::VectorXd(grid.nodes), delta};
-    for (Index i = 0; i < grid.nodes; ++i)
-        profile.heights[i] = depth * h[i] / h[0];
+    for (Index i = 0; i < grid.nodes; ++i) profile.heights[i] = depth * h[i] / h[0];
     return profile;
 }
 
@@ -41,18 +40,15 @@ Profile scene(const Model& model, int kind, std::mt19937_64& random) {
         break;
     case 2: // a flat with spikes
         profile.heights.setZero();
-        for (int spike = 0; spike < 3; ++spike)
-            profile.heights[anywhere()] += 1e-3 * unit(random);
+        for (int spike = 0; spike < 3; ++spike) profile.heights[anywhere()] += 1e-3 * unit(random);
         break;
     case 3: // steps
         for (Index i = 0; i < grid.nodes; ++i)
-            profile.heights[i] =
-                1e-3 * std::floor(4 * static_cast<double>(i) / static_cast<double>(grid.nodes));
+            profile.heights[i] = 1e-3 * std::floor(4 * static_cast<double>(i) / static_cast<double>(grid.nodes));
         profile.heights[anywhere()] += 1e-3 * unit(random);
         break;
     case 4: // noise on a flat
-        for (double& z : profile.heights)
-            z = 1e-3 * std::pow(unit(random), 8);
+        for (double& z : profile.heights) z = 1e-3 * std::pow(unit(random), 8);
         break;
     case 5:
         profile = sample(testing::random_genome(random, 1, 1, grid.length, 0.02), grid);
@@ -101,22 +97,17 @@ TEST_CASE("no response is out of reach, and no profile exceeds the bound of a be
     for (int trial = 0; trial < 180; ++trial) {
         const int steps = std::array{2, 3, 5, 20, 80}[static_cast<std::size_t>(trial) % 5];
         const Model model = model_on(static_cast<Kernel>(trial % 3), 60 + trial % 7, steps);
-        const Response response =
-            respond(scene(model, trial / 15, random), model.body, model.loading, model.contact);
-        for (const Quantity quantity :
-             {Quantity::stiffness, Quantity::area_at_pressure, Quantity::area_at_displacement,
-              Quantity::load_at_displacement, Quantity::interface_stiffness}) {
+        const Response response = respond(scene(model, trial / 15, random), model.body, model.loading, model.contact);
+        for (const Quantity quantity : {Quantity::stiffness, Quantity::area_at_pressure, Quantity::area_at_displacement,
+                                        Quantity::load_at_displacement, Quantity::interface_stiffness}) {
             INFO("trial " << trial << ", steps " << steps << ", quantity " << static_cast<int>(quantity));
             const Curve curve = curve_of(quantity, response);
             const Target own = read_off(curve, quantity, 5 + trial % 30);
-            if (own.y.minCoeff() <= 0)
-                continue;
+            if (own.y.minCoeff() <= 0) continue;
             CHECK(out_of_reach({own}, model).empty());
             Target bent = own;
-            for (double& y : bent.y)
-                y *= std::exp((trial % 2 ? 0.02 : 0.5) * bend(random));
-            if (trial % 4 == 3)
-                bent.lower = 0.95 * bent.y, bent.upper = 1.1 * bent.y;
+            for (double& y : bent.y) y *= std::exp((trial % 2 ? 0.02 : 0.5) * bend(random));
+            if (trial % 4 == 3) bent.lower = 0.95 * bent.y, bent.upper = 1.1 * bent.y;
             for (const OutOfReach& one : out_of_reach({bent}, model)) {
                 CHECK(similarity(bent, curve) <= one.bound + 1e-9);
                 nearest = std::min(nearest, one.bound - similarity(bent, curve));
@@ -132,8 +123,7 @@ TEST_CASE("interface stiffness may exceed full contact, but not fall or be below
     const Model model = model_on(Kernel::free, 128, 20);
     const StiffnessLimits limits = stiffness_limits(model);
     const auto target_of = [](double first, double second) {
-        return Target{Quantity::interface_stiffness, "", Eigen::Vector2d(1e-5, 1e-4),
-                      Eigen::Vector2d(first, second)};
+        return Target{Quantity::interface_stiffness, "", Eigen::Vector2d(1e-5, 1e-4), Eigen::Vector2d(first, second)};
     };
     CHECK(out_of_reach({target_of(1, 1000 * limits.max)}, model).empty());
     const auto falls = out_of_reach({target_of(2, 1)}, model);
@@ -146,8 +136,8 @@ TEST_CASE("interface stiffness may exceed full contact, but not fall or be below
     const auto soft = out_of_reach({target_of(0.5 * (limits.min + one_node), 1)}, model);
     REQUIRE(soft.size() == 1);
     CHECK(soft[0].bound == Approx(2 - one_node / (0.5 * (limits.min + one_node)))); // with K_i of one node
-    CHECK_THAT(soft[0].verdict(), Catch::Contains("on this grid") && Catch::Contains("single node") &&
-                                      !Catch::Contains("even as"));
+    CHECK_THAT(soft[0].verdict(),
+               Catch::Contains("on this grid") && Catch::Contains("single node") && !Catch::Contains("even as"));
 }
 
 TEST_CASE("a map's lowest stiffness is that of one node", "[areas]") {
@@ -188,18 +178,15 @@ TEST_CASE("no response of a map is out of reach, and the verdict on a bent one n
         model.loading = {8, trial % 2 ? 0.9 : 1};
         model = completed(model);
         Profile map{Eigen::VectorXd(63), model.grid.spacing(), 7, model.grid.row_spacing()};
-        for (double& z : map.heights)
-            z = 1e-3 * height(random);
+        for (double& z : map.heights) z = 1e-3 * height(random);
         const Response response = respond(map, model.body, model.loading);
         for (const Quantity quantity :
              {Quantity::stiffness, Quantity::area_at_pressure, Quantity::load_at_displacement}) {
             const Curve curve = curve_of(quantity, response);
             Target own = read_off(curve, quantity, 12);
-            if (own.y.minCoeff() <= 0)
-                continue;
+            if (own.y.minCoeff() <= 0) continue;
             CHECK(out_of_reach({own}, model).empty());
-            for (double& y : own.y)
-                y *= std::exp(0.3 * bend(random));
+            for (double& y : own.y) y *= std::exp(0.3 * bend(random));
             for (const OutOfReach& one : out_of_reach({own}, model)) {
                 CHECK(similarity(own, curve) <= one.bound + 1e-9);
                 CHECK_THAT(one.verdict(), Catch::StartsWith("out of reach of every map"));
@@ -219,10 +206,9 @@ TEST_CASE("the inverse of a free map's influence has negative entries off its di
         const Eigen::VectorXd column =
             influence_column(in_units(Body{Kernel::free}, grid.spacing(), grid.row_spacing()), grid.shape());
         const Index n = grid.shape().nodes();
-        Eigen::MatrixXd inverse =
-            Eigen::MatrixXd::NullaryExpr(n, n, [&](Index a, Index b) {
-                return column[std::abs(a / 14 - b / 14) * 14 + std::abs(a % 14 - b % 14)];
-            }).inverse();
+        Eigen::MatrixXd inverse = Eigen::MatrixXd::NullaryExpr(n, n, [&](Index a, Index b) {
+                                      return column[std::abs(a / 14 - b / 14) * 14 + std::abs(a % 14 - b % 14)];
+                                  }).inverse();
         CHECK(inverse.rowwise().sum().minCoeff() > 0);
         inverse.diagonal().setConstant(-1);
         CHECK(inverse.maxCoeff() < 0);
@@ -237,8 +223,7 @@ TEST_CASE("full contact of a map is that of its own grid, and a verdict from it 
         const double full = stiffness_limits(model).max;
         CHECK(full > before * 1.001);
         before = full;
-        const Target stiff{Quantity::stiffness, "", Eigen::Vector2d(1e-5, 1e-4),
-                           Eigen::Vector2d(0.9, 9) * full};
+        const Target stiff{Quantity::stiffness, "", Eigen::Vector2d(1e-5, 1e-4), Eigen::Vector2d(0.9, 9) * full};
         const auto found = out_of_reach({stiff}, model);
         REQUIRE(found.size() == 1);
         CHECK_THAT(found[0].verdict(), Catch::StartsWith("out of reach of every map on this grid: "));

@@ -26,8 +26,7 @@ TEST_CASE("the columns of a target file determine its quantity") {
     CHECK(read_text("pressure_MPa,contact_fraction\n1,0.2\n").quantity == Quantity::area_at_pressure);
     CHECK(read_text("displacement_mm,contact_fraction\n1,0.2\n").quantity == Quantity::area_at_displacement);
     CHECK(read_text("displacement_mm,pressure_MPa\n1,0.2\n").quantity == Quantity::load_at_displacement);
-    CHECK(read_text("pressure_MPa,interface_stiffness_MPa_per_mm\n1,2\n").quantity ==
-          Quantity::interface_stiffness);
+    CHECK(read_text("pressure_MPa,interface_stiffness_MPa_per_mm\n1,2\n").quantity == Quantity::interface_stiffness);
     const Target swapped = read_text("stiffness_MPa_per_mm , pressure_MPa\n2,1\n4,3\n");
     CHECK(swapped.x == Eigen::Vector2d(1, 3));
     CHECK(swapped.y == Eigen::Vector2d(2, 4));
@@ -35,8 +34,7 @@ TEST_CASE("the columns of a target file determine its quantity") {
 
 TEST_CASE("a conductance is read as the interface stiffness with that conductance") {
     // C = 2 K_i/(E* rho) in SI units: K_i (N/m^3) = C E* rho/2, and 1 MPa/mm is 1e9 N/m^3.
-    const TargetScales scales{
-        .effective_modulus = 78554, .resistivity = 0.01, .thermal_resistivity = 2.0 / 167};
+    const TargetScales scales{.effective_modulus = 78554, .resistivity = 0.01, .thermal_resistivity = 2.0 / 167};
     for (const auto& [column, per_unit] : {std::pair("conductance_S_per_m2", 78554e6 * 0.01 / 2 / 1e9),
                                            {"conductance_W_per_m2K", 78554e6 * (2.0 / 167) / 2 / 1e9}}) {
         const std::string text = std::string("pressure_bar,") + column + ",lower,upper\n1,897.6,800,900\n";
@@ -51,8 +49,7 @@ TEST_CASE("a conductance is read as the interface stiffness with that conductanc
         CHECK(again.y[0] == Approx(target.y[0]).epsilon(1e-15));
         CHECK_THROWS_WITH(read_text(text), Catch::Contains("of both bodies; give a "));
     }
-    CHECK_THROWS_WITH(read_text("pressure_MPa,conductance\n1,10\n", scales),
-                      Catch::Contains("give it a unit"));
+    CHECK_THROWS_WITH(read_text("pressure_MPa,conductance\n1,10\n", scales), Catch::Contains("give it a unit"));
     CHECK_THROWS_WITH(conductance_columns(scales), Catch::Contains("give either"));
 }
 
@@ -72,17 +69,15 @@ TEST_CASE("a target in other units equals the target in the usual units") {
     same("load_mN,area_um2,lower,upper\n8,4e5,3e5,5e5\n",
          "pressure_MPa,contact_fraction,lower,upper\n2e-3,0.1,0.075,0.125\n");
     same("pressure_kPa,stiffness_GPa_per_m\n3,5\n", "pressure_MPa,stiffness_MPa_per_mm\n3e-3,5\n");
-    same("pressure_Pa,interface_stiffness_N_per_nm\n3,8\n",
-         "pressure_MPa,interface_stiffness_MPa_per_mm\n3e-6,2e6\n");
+    same("pressure_Pa,interface_stiffness_N_per_nm\n3,8\n", "pressure_MPa,interface_stiffness_MPa_per_mm\n3e-6,2e6\n");
     same("normal_N,friction_mN\n8,40\n", "pressure_MPa,contact_fraction\n2,0.05\n");
     same("pressure_MPa,shear_kPa\n2,10\n", "pressure_MPa,contact_fraction\n2,0.05\n");
     CHECK_THROWS_WITH(read_text("pressure_MPa,shear_MPa\n2,0.1\n"), Catch::Contains("give a shear-strength"));
 }
 
 TEST_CASE("a written target is read back to the bit, with its recorded model") {
-    Target target =
-        read_text("# kernel: strip\n# datum_mm: 0.84942\npressure_MPa,stiffness_MPa_per_mm,lower,upper\n"
-                  "0.1,0.3,0.29,0.31\n0.2,0.7,0.6,0.8\n");
+    Target target = read_text("# kernel: strip\n# datum_mm: 0.84942\npressure_MPa,stiffness_MPa_per_mm,lower,upper\n"
+                              "0.1,0.3,0.29,0.31\n0.2,0.7,0.6,0.8\n");
     CHECK(target.recorded.at("kernel") == "strip");
     CHECK(target.recorded.at("datum_mm") == "0.84942");
     target.x[0] = 0.1 + 1e-17;

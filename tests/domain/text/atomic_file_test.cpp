@@ -10,9 +10,7 @@ namespace fs = std::filesystem;
 using tests::Folder;
 
 namespace {
-long entries(const fs::path& folder) {
-    return std::distance(fs::directory_iterator(folder), fs::directory_iterator{});
-}
+long entries(const fs::path& folder) { return std::distance(fs::directory_iterator(folder), fs::directory_iterator{}); }
 } // namespace
 
 TEST_CASE("a file written atomically has exactly the new content") {

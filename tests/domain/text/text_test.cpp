@@ -30,8 +30,7 @@ TEST_CASE("JSON deeper than 64 brackets or broken is refused in one line") {
     CHECK_THROWS_WITH(rough::parsed_json(nested(65), "g.json"), Catch::Contains("g.json: brackets"));
     const auto objects = [](std::size_t depth) {
         std::string text = "1";
-        while (depth-- > 0)
-            text = "{\"a\":" + text + "}";
+        while (depth-- > 0) text = "{\"a\":" + text + "}";
         return text;
     };
     CHECK_NOTHROW(rough::parsed_json(objects(64), "g.json"));

@@ -29,8 +29,7 @@ double beyond(double n, double t) {
 /// The t at which `beyond` of n has this value, by bisection.
 double solved(double n, double value) {
     double low = -5, high = 10;
-    for (int k = 0; k < 60; ++k)
-        (beyond(n, (low + high) / 2) > value ? low : high) = (low + high) / 2;
+    for (int k = 0; k < 60; ++k) (beyond(n, (low + high) / 2) > value ? low : high) = (low + high) / 2;
     return low;
 }
 
@@ -39,9 +38,7 @@ Eigen::VectorXd at(std::initializer_list<double> pressures) {
 }
 
 /// P/K of Persson's theory at light load, mm.
-double light_length(const RandomSurface& surface) {
-    return 1e-9 / persson(surface, 1, at({1e-9})).stiffness[0];
-}
+double light_length(const RandomSurface& surface) { return 1e-9 / persson(surface, 1, at({1e-9})).stiffness[0]; }
 
 const SelfAffine usual{.hurst = 0.8, .longest = 1, .shortest = 0.01, .rms_slope = 0.1};
 
@@ -55,9 +52,8 @@ TEST_CASE("moments of a cosine are exact, those of a map are of its sections", "
     CHECK(of_line.m2 == Approx(a * a / 2 * k * k).epsilon(1e-12));
     CHECK(of_line.m4 == Approx(a * a / 2 * std::pow(k, 4)).epsilon(1e-12));
     // cos kx + cos ky: m2 of a section along x is half of the gradient's mean square
-    const Profile map = maps::map_of({80, 100}, 1.0 / 80, 1.0 / 100, [&](double x, double y) {
-        return a * (std::cos(k * x) + std::cos(k * y));
-    });
+    const Profile map = maps::map_of({80, 100}, 1.0 / 80, 1.0 / 100,
+                                     [&](double x, double y) { return a * (std::cos(k * x) + std::cos(k * y)); });
     const RandomSurface area = random_surface(map, true);
     const SpectralMoments of_map = spectral_moments(area);
     CHECK(of_map.m0 == Approx(a * a).epsilon(1e-12));
@@ -121,8 +117,8 @@ TEST_CASE("Persson's 1/K is the sum over waves of its integrand", "[theory]") {
         for (Index k = 0; k < spectrum.power.size(); ++k) {
             const double q = spectrum.wave_number[k], share = q * q * spectrum.power[k] / 2;
             const double slope = std::sqrt(square += share), s = std::sqrt(2) * P / (3 * slope);
-            compliance += q / slope * (0.45 + 1.65 * std::pow(std::erf(s), 2)) * std::exp(-s * s) *
-                          spectrum.power[k] / (std::sqrt(2 * pi) * P);
+            compliance += q / slope * (0.45 + 1.65 * std::pow(std::erf(s), 2)) * std::exp(-s * s) * spectrum.power[k] /
+                          (std::sqrt(2 * pi) * P);
             square += share;
         }
         CHECK(persson(random_surface(of), 3, at({P})).stiffness[0] == Approx(1 / compliance).epsilon(1e-3));
@@ -165,8 +161,7 @@ TEST_CASE("Bush, Gibson and Thomas's summits are pressed to Hertz's ellipses", "
         const double kappa = (B - A) / (B + A), round = 1 - kappa * kappa, s = 0.5 + kappa * kappa;
         const double share = kappa * (kappa - before) * std::sqrt(round / (2 * pi)) / (s * s);
         area += share * 2 * std::sqrt(A * B) / K;
-        load += share * std::tgamma(2.25) * pi / 2 * std::pow(4 * round * A * B / s, 0.25) /
-                std::sqrt(b * K * K * K);
+        load += share * std::tgamma(2.25) * pi / 2 * std::pow(4 * round * A * B / s, 0.25) / std::sqrt(b * K * K * K);
         before = kappa;
     }
     const TheoryCurve curve = bush_gibson_thomas({1, m2, 1.5}, 1, at({0.01 / m2}));
@@ -175,8 +170,7 @@ TEST_CASE("Bush, Gibson and Thomas's summits are pressed to Hertz's ellipses", "
     CHECK(curve.contact_fraction[0] == Approx(area / (2 * m2) * beyond(1, t)).epsilon(1e-4));
 }
 
-TEST_CASE("Greenwood and Williamson's area and stiffness are McCool's integrals at the pressure",
-          "[theory]") {
+TEST_CASE("Greenwood and Williamson's area and stiffness are McCool's integrals at the pressure", "[theory]") {
     const SpectralMoments m = spectral_moments(random_surface(usual));
     const Summits s = summits(m);
     const double unit = 4.0 / 3 * s.density * 1.7 * std::sqrt(s.radius) * std::pow(s.deviation, 1.5);
@@ -196,8 +190,7 @@ TEST_CASE("solved isotropic maps lie between Persson and Bush in area", "[theory
     const double slope = rms_slope(surface), height = std::sqrt(spectral_moments(surface).m0);
     CHECK(slope == Approx(maps::rms_slope(map)).epsilon(0.1)); // differences of neighbours give less
     std::vector<double> pressures;
-    for (const double share : {0.02, 0.04, 0.08, 0.12, 0.16})
-        pressures.push_back(share * slope / 2);
+    for (const double share : {0.02, 0.04, 0.08, 0.12, 0.16}) pressures.push_back(share * slope / 2);
     const ContactCurve exact = solve_contact_at_pressures(map, {Kernel::periodic}, pressures);
     const TheoryCurve predicted =
         persson(surface, 1, Eigen::Map<const Eigen::VectorXd>(pressures.data(), Index(pressures.size())));
@@ -221,8 +214,7 @@ TEST_CASE("a realised surface has its parameters' spectrum and is independent of
     for (const bool is_area : {true, false}) {
         SelfAffine of{.hurst = 0.7, .longest = 0.5, .shortest = 1.0 / 16, .rms_slope = 0.2, .is_2d = is_area};
         Grid grid{.nodes = 96, .length = 1, .periodic = true};
-        if (is_area)
-            grid.rows = 80, grid.width = 0.8;
+        if (is_area) grid.rows = 80, grid.width = 0.8;
         const Profile surface = realised(of, grid, 7), fine = realised(of, refined(grid, 2), 7);
         const RandomSurface random = random_surface(surface, true);
         CHECK(rms_slope(random) == Approx(0.2).epsilon(1e-9));
@@ -236,6 +228,5 @@ TEST_CASE("a realised surface has its parameters' spectrum and is independent of
     }
     CHECK_THROWS_AS(realised(usual, Grid{}, 1), InputError);
     for (const double slope : {0., -0.1, HUGE_VAL, std::nan("")})
-        CHECK_THROWS_AS(random_surface({.hurst = 0.8, .longest = 1, .shortest = 0.01, .rms_slope = slope}),
-                        InputError);
+        CHECK_THROWS_AS(random_surface({.hurst = 0.8, .longest = 1, .shortest = 0.01, .rms_slope = slope}), InputError);
 }

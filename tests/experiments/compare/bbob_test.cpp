@@ -12,8 +12,7 @@ namespace {
 
 Point somewhere(std::size_t n, ga::Stream& stream, double reach = 5) {
     Point x(n);
-    for (double& xi : x)
-        xi = stream.uniform(-reach, reach);
+    for (double& xi : x) xi = stream.uniform(-reach, reach);
     return x;
 }
 
@@ -42,8 +41,7 @@ double contrast(const Bbob& f, double radius) {
     for (int k = 0; k < 20000; ++k) {
         const double angle = k * std::numbers::pi / 1e4;
         const double above =
-            f({f.optimum()[0] + radius * std::cos(angle), f.optimum()[1] + radius * std::sin(angle)}) -
-            f.value();
+            f({f.optimum()[0] + radius * std::cos(angle), f.optimum()[1] + radius * std::sin(angle)}) - f.value();
         lowest = std::min(lowest, above);
         highest = std::max(highest, above);
     }
@@ -60,8 +58,7 @@ double coupling(const Bbob& f, ga::Stream& stream) {
             xi[i] = both[i] = -x[i];
             xj[j] = both[j] = -x[j];
             const double together = f(both) - f(x), apart = f(xi) + f(xj) - 2 * f(x);
-            highest = std::max(highest, std::abs(together - apart) /
-                                            (std::abs(f(xi) - f(x)) + std::abs(f(xj) - f(x))));
+            highest = std::max(highest, std::abs(together - apart) / (std::abs(f(xi) - f(x)) + std::abs(f(xj) - f(x))));
         }
     return highest;
 }
@@ -92,8 +89,7 @@ TEST_CASE("every function of BBOB is least at its optimum, in every dimension an
                 }
                 for (const double step : {1e-2, 1e-4}) {
                     Point near = function.optimum();
-                    for (double& xi : near)
-                        xi += step * stream.normal();
+                    for (double& xi : near) xi += step * stream.normal();
                     CHECK(function(near) >= function.value() - 1e-9);
                 }
             }
@@ -164,12 +160,10 @@ TEST_CASE("Gallagher's highest peak is the optimum, and its others are lower by 
         const Bbob function(f, 5, 1);
         ga::Stream stream(2);
         int low = 0;
-        for (int i = 0; i < 3000; ++i)
-            low += function(somewhere(5, stream)) - function.value() < 1;
+        for (int i = 0; i < 3000; ++i) low += function(somewhere(5, stream)) - function.value() < 1;
         CHECK(low < 30); // (10 - 9.1)^2 is the next peak's
         CHECK(function({996, 0, 0, 0, 0}) - function({995, 0, 0, 0, 0}) ==
               Approx(991.0 * 991 - 990.0 * 990)); // f_pen alone, far from all peaks
-        for (const double xi : function.optimum())
-            CHECK(std::abs(xi) <= (f == 21 ? 4.0 : 3.92));
+        for (const double xi : function.optimum()) CHECK(std::abs(xi) <= (f == 21 ? 4.0 : 3.92));
     }
 }

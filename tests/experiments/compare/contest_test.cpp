@@ -11,20 +11,17 @@ Attempt within(long budget, std::uint64_t seed = 1) { return {seed, budget, null
 RealInstance sphere() {
     RealInstance instance;
     instance.genes = 5;
-    for (std::size_t i = 0; i < 5; ++i)
-        instance.box.push_back({i, -5, 5});
+    for (std::size_t i = 0; i < 5; ++i) instance.box.push_back({i, -5, 5});
     instance.evaluate = [](const std::vector<double>& x) {
         double sum = 0;
-        for (const double xi : x)
-            sum += (xi - 1) * (xi - 1);
+        for (const double xi : x) sum += (xi - 1) * (xi - 1);
         return Evaluation{{sum}};
     };
     return instance;
 }
 
-const std::string ga_text =
-    "sample 40 | score | repeat 1000000000 { tournament 2 | cross sbx rate=0.9 | mutate 1/n "
-    "polynomial | score | elite 2 } | best 1";
+const std::string ga_text = "sample 40 | score | repeat 1000000000 { tournament 2 | cross sbx rate=0.9 | mutate 1/n "
+                            "polynomial | score | elite 2 } | best 1";
 
 bool same(const Reached& a, const Reached& b) { return nlohmann::json(a).dump() == nlohmann::json(b).dump(); }
 
@@ -49,8 +46,7 @@ TEST_CASE("a run ends with budget, last target or stop, and its seed decides it"
 
 TEST_CASE("a pipeline that ends early restarts from other genomes until its budget is spent") {
     const Reached once = raced(sphere(), "sample 10 | score | best 1", precisions(1e2, 1e-200), within(10));
-    const Reached often =
-        raced(sphere(), "sample 10 | score | best 1", precisions(1e2, 1e-200), within(5000));
+    const Reached often = raced(sphere(), "sample 10 | score | best 1", precisions(1e2, 1e-200), within(5000));
     CHECK(once.spent == 10);
     CHECK(often.spent == 5000);
     CHECK(often.precision < once.precision);
@@ -72,8 +68,7 @@ TEST_CASE("usual variants fit every problem of their kind") {
             CHECK_NOTHROW(problem.check(text));
         }
     CHECK(benchmarks({"bbob5", "bbob20"}, {}).size() == 48);
-    for (const char* wrong :
-         {"bbob", "bbob1", "bbob41", "bbob5-25", "bbob5-0", "bbob5-x", "zdt5", "roughness", ""})
+    for (const char* wrong : {"bbob", "bbob1", "bbob41", "bbob5-25", "bbob5-0", "bbob5-x", "zdt5", "roughness", ""})
         CHECK_THROWS_AS(benchmarks({wrong}, {}), rough::InputError);
     CHECK_THROWS_AS(benchmarks({"zdt", "zdt1"}, {}), rough::InputError);
 }
@@ -91,8 +86,7 @@ TEST_CASE("libpagmo's algorithms find the sphere's bottom within the budget, the
 }
 
 TEST_CASE("the expected runtime counts what failed runs spent") {
-    const std::vector<Reached> runs{reached({10, 100}, 100), reached({20, NAN}, 1000),
-                                    reached({30, 300}, 300)};
+    const std::vector<Reached> runs{reached({10, 100}, 100), reached({20, NAN}, 1000), reached({30, 300}, 300)};
     CHECK(expected_runtime(runs, 0) == Approx(20));
     CHECK(expected_runtime(runs, 1) == Approx((100 + 1000 + 300) / 2.0));
     CHECK(successes(runs, 1) == 2);

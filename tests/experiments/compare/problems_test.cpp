@@ -7,8 +7,7 @@ namespace {
 
 std::vector<double> drawn(const RealInstance& instance, ga::Stream& stream) {
     std::vector<double> x;
-    for (const ga::Variable& gene : instance.box)
-        x.push_back(stream.uniform(gene.lower, gene.upper));
+    for (const ga::Variable& gene : instance.box) x.push_back(stream.uniform(gene.lower, gene.upper));
     return x;
 }
 
@@ -52,8 +51,7 @@ TEST_CASE("nothing drawn at random betters a known front, and the front can be r
         for (int i = 0; i < 200; ++i) {
             const auto f = instance.evaluate(drawn(instance, stream)).objectives;
             for (const ga::Point& point : *instance.front)
-                CHECK_FALSE(
-                    (std::equal(f.begin(), f.end(), point.begin(), std::less_equal<>()) && f != point));
+                CHECK_FALSE((std::equal(f.begin(), f.end(), point.begin(), std::less_equal<>()) && f != point));
         }
         Nearness nearness(instance);
         double near = HUGE_VAL;
@@ -62,8 +60,7 @@ TEST_CASE("nothing drawn at random betters a known front, and the front can be r
             for (int j = 0; j <= (instance.objectives == 2 ? 0 : steps); ++j) {
                 const double u = i / double(steps), v = j / double(steps);
                 std::vector<double> first{u};
-                if (instance.objectives == 3)
-                    first.push_back(v);
+                if (instance.objectives == 3) first.push_back(v);
                 near = nearness.after(instance.evaluate(best_behind(name, first, instance.genes)));
             }
         CHECK(near < (instance.objectives == 2 ? 1e-3 : 1e-2));
@@ -97,11 +94,9 @@ TEST_CASE("the knapsack's optimum is that of all its packings") {
         double lowest = HUGE_VAL;
         for (unsigned set = 0; set < (1u << 14); ++set) {
             std::vector<bool> taken(14);
-            for (unsigned i = 0; i < 14; ++i)
-                taken[i] = set >> i & 1;
+            for (unsigned i = 0; i < 14; ++i) taken[i] = set >> i & 1;
             const Evaluation value = instance.evaluate(taken);
-            if (violated(value) == 0)
-                lowest = std::min(lowest, value.objectives[0]);
+            if (violated(value) == 0) lowest = std::min(lowest, value.objectives[0]);
         }
         CHECK(instance.best == lowest);
     }
@@ -114,8 +109,7 @@ TEST_CASE("the shortest tour is that of all orders, and of towns on a circle the
         std::vector<std::uint32_t> order(8);
         std::iota(order.begin(), order.end(), 0u);
         double lowest = HUGE_VAL;
-        do
-            lowest = std::min(lowest, tour_length(towns, order));
+        do lowest = std::min(lowest, tour_length(towns, order));
         while (std::next_permutation(order.begin() + 1, order.end()));
         CHECK(shortest_tour(towns) == Approx(lowest));
     }

@@ -18,8 +18,7 @@ double best_choice() {
     double best = -HUGE_VAL;
     for (unsigned choice = 0; choice < 4096; ++choice) {
         std::vector<bool> taken(12);
-        for (std::size_t i = 0; i < 12; ++i)
-            taken[i] = (choice >> i) & 1u;
+        for (std::size_t i = 0; i < 12; ++i) taken[i] = (choice >> i) & 1u;
         if (const auto outcome = problem.evaluate(taken); problem.violation(outcome) <= 0)
             best = std::max(best, outcome.value);
     }
@@ -53,8 +52,7 @@ TEST_CASE("the page's operator works in code and in text") {
     auto registry = vocabulary<Knapsack>();
     registry.add<Regrow>();
     const auto code = sample(20) | score() | repeat(60, Regrow{{}, 8} | score()) | best(1);
-    const auto text =
-        Parser<Knapsack>(registry).parse("sample 20 | score | repeat 60 { regrow 8 | score } | best 1");
+    const auto text = Parser<Knapsack>(registry).parse("sample 20 | score | repeat 60 { regrow 8 | score } | best 1");
     const auto first = run(code, problem, {});
     const auto second = run(text, problem, {});
     CHECK(first.best->value() >= 0.95 * best_choice());

@@ -10,8 +10,7 @@ namespace {
 /// ZDT1 (Zitzler, Deb and Thiele 2000): both objectives are minimised; the front is f2 = 1 - sqrt(f1).
 Vector zdt1(const Vector& x) {
     double g = 0;
-    for (std::size_t i = 1; i < x.size(); ++i)
-        g += x[i];
+    for (std::size_t i = 1; i < x.size(); ++i) g += x[i];
     g = 1 + 9 * g / static_cast<double>(x.size() - 1);
     return {x[0], g * (1 - std::sqrt(x[0] / g))};
 }
@@ -31,10 +30,9 @@ TEST_CASE("NSGA-II covers the known front of ZDT1") {
     problem.n = 30, problem.f = zdt1, problem.lower = 0, problem.upper = 1;
     problem.list = {{"f1", [](const Vector& f) { return f[0]; }, true},
                     {"f2", [](const Vector& f) { return f[1]; }, true}};
-    const auto result =
-        run("sample 100 | pareto f1 f2 | repeat 250 { tournament 2 | cross sbx rate=0.9 | "
-            "mutate 0.0333333333333 polynomial 20 | parents | pareto f1 f2 | best 100 } | front",
-            problem);
+    const auto result = run("sample 100 | pareto f1 f2 | repeat 250 { tournament 2 | cross sbx rate=0.9 | "
+                            "mutate 0.0333333333333 polynomial 20 | parents | pareto f1 f2 | best 100 } | front",
+                            problem);
     CHECK(result.population.size() >= 90);
     double generational = 0;
     for (const auto& each : result.population) {

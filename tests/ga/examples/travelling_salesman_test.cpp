@@ -31,8 +31,7 @@ struct Salesman {
         return length;
     }
     const std::vector<Objective<Outcome>>& objectives() const {
-        static const std::vector<Objective<Outcome>> list = {
-            {"short", [](const double& length) { return -length; }}};
+        static const std::vector<Objective<Outcome>> list = {{"short", [](const double& length) { return -length; }}};
         return list;
     }
     bool valid(const Permutation& tour) const { return tour.size() == towns.size(); }
@@ -56,8 +55,7 @@ TEST_CASE("a search finds the shortest tour of towns on a circle") {
     }
     const double shortest = 2 * n * std::sin(std::numbers::pi / n);
     for (std::uint64_t seed = 1; seed <= 3; ++seed)
-        CHECK(-run(pipeline, problem, nobody, {.seed = seed}).best->value() ==
-              Approx(shortest).epsilon(1e-12));
+        CHECK(-run(pipeline, problem, nobody, {.seed = seed}).best->value() == Approx(shortest).epsilon(1e-12));
 }
 
 TEST_CASE("a run of permutations resumes to the uninterrupted result, in any memory") {
@@ -72,8 +70,7 @@ TEST_CASE("a run of permutations resumes to the uninterrupted result, in any mem
         Result<Permutation> part;
         for (options.budget.evaluations = 30; part.stopped.empty() == part.population.empty();
              options.budget.evaluations += 30) {
-            Checkpoints<Salesman> checkpoints(folder / "run", std::to_string(bytes),
-                                              options.budget.evaluations > 30);
+            Checkpoints<Salesman> checkpoints(folder / "run", std::to_string(bytes), options.budget.evaluations > 30);
             part = run(breeding, problem, {}, options, {}, &checkpoints);
         }
         CHECK(json(part.population) == json(whole.population));
@@ -83,7 +80,6 @@ TEST_CASE("a run of permutations resumes to the uninterrupted result, in any mem
 
 TEST_CASE("a start that is not a permutation is refused") {
     for (const Permutation& wrong : {Permutation{{0, 1, 5}}, Permutation{{1, 1, 2}}})
-        CHECK_THROWS_WITH(
-            run(score() | best(1), Salesman{{{0, 0}, {1, 0}, {2, 0}}}, population<Permutation>({wrong})),
-            Catch::Contains("start 1 is not a genome") && Catch::Contains("each of 0 to n - 1 once"));
+        CHECK_THROWS_WITH(run(score() | best(1), Salesman{{{0, 0}, {1, 0}, {2, 0}}}, population<Permutation>({wrong})),
+                          Catch::Contains("start 1 is not a genome") && Catch::Contains("each of 0 to n - 1 once"));
 }

@@ -17,10 +17,8 @@ struct Spring {
         return {stiffness, mass};
     }
     const std::vector<ga::Objective<Outcome>>& objectives() const {
-        static const std::vector<ga::Objective<Outcome>> list{{"fit", [](const Outcome& made) {
-                                                                   return 1 - std::abs(made[0] / 5 - 1) -
-                                                                          std::abs(made[1] / 40 - 1);
-                                                               }}};
+        static const std::vector<ga::Objective<Outcome>> list{
+            {"fit", [](const Outcome& made) { return 1 - std::abs(made[0] / 5 - 1) - std::abs(made[1] / 40 - 1); }}};
         return list;
     }
 };
@@ -33,6 +31,5 @@ int main() {
     }
     const auto result = ga::run(ga::score() | ga::best(1), Spring{}, ga::population(start));
     const auto& best = result.population.front();
-    std::cout << best.genome[0] << " " << best.genome[1] << " " << best.genome[2] << " " << best.value()
-              << "\n";
+    std::cout << best.genome[0] << " " << best.genome[1] << " " << best.genome[2] << " " << best.value() << "\n";
 }

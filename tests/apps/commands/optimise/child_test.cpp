@@ -24,8 +24,7 @@ class Nowhere {
 TEST_CASE("a command is split at its blanks, but not inside quotes") {
     CHECK(split_command("  a  b\tc ") == Words{"a", "b", "c"});
     CHECK(split_command("awk '{ print \"x\\n\" }'") == Words{"awk", "{ print \"x\\n\" }"});
-    CHECK(split_command("a \"b \\\"c\\\\ $d\" '' e\\ f g'h'\"i\"") ==
-          Words{"a", "b \"c\\ $d", "", "e f", "ghi"});
+    CHECK(split_command("a \"b \\\"c\\\\ $d\" '' e\\ f g'h'\"i\"") == Words{"a", "b \"c\\ $d", "", "e f", "ghi"});
     CHECK(split_command("a b\\") == Words{"a", "b\\"}); // nothing follows the last one
     CHECK_THROWS_AS(split_command("a 'b"), rough::InputError);
     CHECK_THROWS_AS(split_command(" "), rough::InputError);
@@ -74,13 +73,11 @@ TEST_CASE("the best and the front depend on what was evaluated, not on its order
     do {
         BestKnown known;
         known.minimise = {false, false};
-        for (const Solution& solution : all)
-            known.take(solution);
+        for (const Solution& solution : all) known.take(solution);
         REQUIRE(known.best()->genes == "c");
         std::string front;
-        for (const Solution& solution : known.front())
-            front += solution.genes;
+        for (const Solution& solution : known.front()) front += solution.genes;
         REQUIRE(front == "caf");
-    } while (std::next_permutation(all.begin(), all.end(),
-                                   [](const auto& x, const auto& y) { return x.genes < y.genes; }));
+    } while (
+        std::next_permutation(all.begin(), all.end(), [](const auto& x, const auto& y) { return x.genes < y.genes; }));
 }
