@@ -39,15 +39,16 @@ double curve_time(const Model& model) {
 
 double relative_price(const Model& model, const Model& unit) { return curve_time(model) / curve_time(unit); }
 
-std::vector<ga::LevelPrice> level_prices(const Model& model, const Model& unit, std::size_t draws) {
+std::vector<ga::LevelPrice> level_prices(const Model& model, const Model& unit, std::size_t draws, bool smooth_area) {
     Model steps = unit;
     const Refinement by = verified_refinement(unit.grid);
     steps.loading.steps *= by.steps;
     const double search = relative_price(model, unit), made = search * static_cast<double>(1 + draws),
                  finest = relative_price(refined(steps, by.nodes), unit);
-    return {{"search", search, gradient_price * search},
+    const double evaluation = smooth_area ? gradient_price : 1; // smooth fractions come with the derivatives
+    return {{"search", evaluation * search, gradient_price * search},
             {"verified", relative_price(steps, unit) + finest, gradient_price * finest},
-            {"made", made, gradient_price * made}};
+            {"made", evaluation * made, gradient_price * made}};
 }
 
 } // namespace rough

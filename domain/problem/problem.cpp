@@ -118,7 +118,8 @@ DesignProblem::DesignProblem(DesignSetup setup, std::shared_ptr<const Verifier> 
       memory_(std::move(memory)), descriptors_(surface_descriptors(setup_->model.grid)) {
     validate(*setup_);
     errors_ = std::make_shared<CommonErrors>(*setup_);
-    levels_ = level_prices(setup_->model, verifier_->setup().model, errors_->noise.size() + errors_->tilts.size());
+    levels_ = level_prices(setup_->model, verifier_->setup().model, errors_->noise.size() + errors_->tilts.size(),
+                           setup_->smooth_area);
     // A genome over the limits is ranked below every genome within them, by its excess.
     const auto limited = [](double similarity, const Outcome& outcome) {
         return outcome.excess > 0 ? std::min(similarity, 0.0) - 1 - outcome.excess : similarity;
