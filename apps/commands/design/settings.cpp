@@ -163,7 +163,6 @@ DesignRequest request_from(const Settings& settings) {
     const bool is_like = settings.has("like"), is_map = asks_for_map(settings);
     DesignRequest request;
     request.from = production_from(settings);
-    if (is_map && request.from) rough::refuse("--from: given with a map; omit it, as it is for profiles only");
     if (is_like) {
         // The nodes of a profile are those of its design.
         const Scene scene = scene_from(is_map ? settings : settings.with({{"nodes", ""}}), "like", is_map);
@@ -176,8 +175,8 @@ DesignRequest request_from(const Settings& settings) {
         std::vector<std::string> of_a_scan = names_of(scan_settings());
         of_a_scan.insert(of_a_scan.end(), {"resolution", "points", "quantity"});
         expect_none(settings, of_a_scan, "given with --target; give it with --like only");
-        const rough::Model model =
-            request.from ? model_from(settings, open_genome(request.from->file)) : surface_model_from(settings);
+        const rough::Model model = request.from && !is_map ? model_from(settings, open_genome(request.from->file))
+                                                           : surface_model_from(settings);
         request.setup = {.model = model, .targets = targets_from(settings, model)};
         if (is_map && model.body.kernel == rough::Kernel::free) request.accounts.emplace_back(no_datum_note);
     }
