@@ -208,19 +208,28 @@ class Pipeline {
         }
     };
 
-    /// Runs one stage. If the run stops inside it, the checkpoint holds the state before the stage.
+    /// Runs one stage. If the run stops inside it, the checkpoint holds the state before the stage. An
+    /// exception of the problem is such a stop once the run has found something.
     static void apply(const PlacedStage& placed, Frame<Genome>& frame, Context<P>& context) {
         const typename Context<P>::Scope scope(context.position, placed.name, placed.ordinal);
         std::optional<std::pair<Snapshot<Genome>, Population<Genome>>> before;
         if (context.is_kept()) before.emplace(context.snapshot(false), frame.population);
+        const auto keep = [&] {
+            if (!before) return;
+            frame.population = std::move(before->second);
+            context.keep_stopped(std::move(before->first));
+        };
         try {
             frame.population = placed.stage.apply(std::move(frame.population), context);
         } catch (const Stopped&) {
-            if (before) {
-                frame.population = std::move(before->second);
-                context.keep_stopped(std::move(before->first));
-            }
+            keep();
             throw;
+        } catch (const UsageError&) {
+            throw;
+        } catch (const std::exception& error) { // of a member of the problem, e.g. `sample`
+            if (!context.best() || context.ledger().evaluator_failed) throw;
+            keep();
+            throw Stopped{"stage '" + placed.stage.text + "' cannot continue: " + error.what(), true};
         }
         context.show(frame.population);
     }
@@ -261,7 +270,7 @@ class Pipeline {
             const auto before = state;
             try {
                 return op(std::move(population), context, state);
-            } catch (const Stopped&) {
+            } catch (...) {
                 state = before;
                 throw;
             }

@@ -244,8 +244,9 @@ class Ledger : public EvaluationQueue<P> {
         return {budget_.evaluations, budget_.seconds - watch_.seconds(), budget_.stop, budget_.max_failures};
     }
 
-    Counters counters;      ///< evaluations that the run has spent so far
-    Memory<Outcome> memory; ///< known evaluations
+    Counters counters;             ///< evaluations that the run has spent so far
+    Memory<Outcome> memory;        ///< known evaluations
+    bool evaluator_failed = false; ///< whether the evaluator threw an exception
 
     /// Restores the size of the largest outcome of an earlier ledger.
     void resume(std::size_t heaviest) { heaviest_ = std::max(heaviest_, heaviest); }
@@ -327,8 +328,10 @@ class Ledger : public EvaluationQueue<P> {
     void evaluate(bool to_the_end) {
         static const Budget endless;
         static const Watch never(endless);
+        evaluator_failed = true;
         if (!calls_.empty()) evaluator_.outcomes(problem_, calls_, to_the_end ? never : watch_);
         if (!slopes_.empty()) evaluator_.slopes(problem_, slopes_, watch_);
+        evaluator_failed = false;
     }
 
     /// Counts the evaluations that were made and resets pending ones; true if any is pending.

@@ -131,6 +131,31 @@ TEST_CASE("an evaluator that throws ends the run with its message, on islands to
     CHECK_THROWS_WITH(run_by(cut, pipeline, Reals{}, {}), "the cable is cut");
 }
 
+TEST_CASE("a run in which a member of the problem throws ends with what it has found, and the reason") {
+    struct Brittle : Reals {
+        mutable std::atomic<int> draws = 0;
+        Brittle() = default;
+        Brittle(const Brittle& other) : Reals(other) {}
+        Vector sample(Stream& stream) const {
+            if (++draws > 9) throw std::runtime_error("no more draws");
+            return Reals::sample(stream);
+        }
+    };
+    for (const std::string text : {"sample 9 | score | sample 3 | score",
+                                   "sample 9 | score | islands 3 rounds=2 { sample 3 | score | best 2 }"}) {
+        INFO(text);
+        const Brittle problem;
+        const auto found = run(Parser<Brittle>(whole_vocabulary<Brittle>()).parse(text), problem, {}, {.threads = 2});
+        CHECK(found.is_dead_end);
+        CHECK_THAT(found.stopped, Catch::StartsWith("stage '") && Catch::Contains("cannot continue: no more draws"));
+        REQUIRE(found.best);
+        CHECK(found.counters.requested >= 9);
+        CHECK_FALSE(found.population.empty());
+    }
+    CHECK_THROWS_WITH(run(Parser<Brittle>(whole_vocabulary<Brittle>()).parse("sample 10 | score"), Brittle{}, {}),
+                      "no more draws");
+}
+
 TEST_CASE("an evaluation that ends itself at a stop is neither counted nor a failure") {
     for (const bool refines : {false, true}) {
         std::atomic<bool> stop = false;
