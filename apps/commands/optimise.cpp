@@ -30,9 +30,11 @@ class ByChildren : public ga::Evaluator<P> {
     explicit ByChildren(Children& children) : children_(children) {}
 
     void outcomes(const P& problem, std::span<ga::EvaluationCall<P>> calls, const ga::Watch& watch) override {
-        std::vector<std::string> genes;
-        for (const auto& call : calls) genes.push_back(problem.text_of(*call.genome));
-        auto answers = children_.ask(genes, watch);
+        std::vector<Children::Request> requests;
+        for (const auto& call : calls)
+            requests.push_back(
+                {problem.text_of(*call.genome), problem.name_of(call.level), static_cast<std::size_t>(call.level)});
+        auto answers = children_.ask(requests, watch);
         for (std::size_t i = 0; i < answers.size(); ++i)
             if (!std::holds_alternative<ga::Pending>(answers[i])) *calls[i].answer = std::move(answers[i]);
     }
@@ -56,12 +58,13 @@ void search_by_children(SearchByChildren& search, Children& children, const std:
     run.seed = search.seed;
     run.budget = {search.evaluations, search.seconds, &Interrupt::flag(), search.max_failures};
     const auto tries = static_cast<std::size_t>(std::min(search.evaluations, 200L));
-    const P unknown(search.genes, {false});
+    const P unknown(search, {false});
     const auto [given, probe] =
         begun<G>(search, unknown, ga::Pipeline<P>(ga::sample(search.start.empty() ? tries : 1) | ga::score()));
     const auto first = ga::run_by(evaluator, probe, unknown, given, run);
     const auto book = [&](const auto& result, long extra) {
         search.spent = result.counters.evaluations + extra;
+        search.price = result.counters.price + static_cast<double>(extra);
         search.failures = result.counters.failures;
         search.stopped = result.stopped;
         search.is_dead_end = result.is_dead_end;
@@ -70,7 +73,7 @@ void search_by_children(SearchByChildren& search, Children& children, const std:
     book(first, 0);
     const std::size_t objectives = children.objectives();
     if (objectives == 0) return;
-    const P problem(search.genes, children.record.minimise = minimised(search.minimise, objectives));
+    const P problem(search, children.record.minimise = minimised(search.minimise, objectives));
     const auto whole = stage_of<P>(search, objectives);
     search.searched = whole.text();
     const auto [start, stage] = begun<G>(search, problem, whole);
@@ -128,6 +131,8 @@ json outside_json(const OutsideSearch& searched, const BestKnown& record, const 
                 {"minimise", json::array()},       {"best", record.best() ? solution_json(*record.best()) : json()},
                 {"evaluations", searched.spent},   {"failures", searched.failures},
                 {"stopped", searched.stopped},     {"notes", searched.notes}};
+    if (!searched.levels.empty())
+        result.update({{"levels", searched.levels}, {"price", searched.price}, {"level", level_of(searched, record)}});
     for (std::size_t k = 0; k < record.minimise.size(); ++k)
         if (record.minimise[k]) result["minimise"].push_back(k + 1);
     if (record.minimise.size() > 1) {
@@ -174,9 +179,9 @@ SearchByChildren search_from(const Settings& settings) {
     for (const std::string& word : split_command(settings.text("evaluate")))
         if (std::error_code none; std::filesystem::is_regular_file(word, none)) files.emplace_back(word);
     search.inputs = inputs_json(files);
-    search.description = rough::json_text(
-        {RUGOSA_VERSION, key_of(search.inputs), settings.text("genes"), settings.text("evaluate"), search.minimise},
-        true);
+    search.description = rough::json_text({RUGOSA_VERSION, key_of(search.inputs), settings.text("genes"),
+                                           settings.text("evaluate"), search.minimise, search.levels},
+                                          true);
     search.resume = resumes(settings);
     return search;
 }

@@ -31,7 +31,13 @@ Bindings bindings_of(OutsideSearch& search) {
              .of(names_of(outside_variants({}, 1))),
          search.variant},
         {{"pipeline", "", "search by this text, with objectives f1, f2, ... (see rugosa operators)"}, search.pipeline},
-        {whole("evaluations", "10000", 1, 0x1p53, "maximum number of evaluations"), search.evaluations},
+        {{"levels", "",
+          "names and prices of levels of evaluation, the first of price 1, e.g. coarse:1,fine:18; an evaluation gets "
+          "the level's name, and a pipeline names the objectives of the second level f1-fine, ..."},
+         search.levels},
+        {whole("evaluations", "10000", 1, 0x1p53,
+               "maximum number of evaluations; with levels, their price in evaluations of the first"),
+         search.evaluations},
         {positive("seconds", "", "maximum wall time of the whole search; without evaluations, the only limit"),
          search.seconds},
         {ga::number("max-failures", ga::number(search.max_failures), 0, 1,
@@ -92,8 +98,13 @@ void take_search(const Settings& settings, OutsideSearch& search) {
     if (settings.has("variant") && settings.has("pipeline"))
         rough::refuse("optimise: ", settings.place("variant"), " and ", settings.place("pipeline"),
                       " exclude each other; give one");
+    if (settings.has("levels") && !settings.has("pipeline"))
+        rough::refuse("optimise: ", settings.place("levels"),
+                      " without pipeline; give one that names an objective of "
+                      "each level, e.g. \"sample 50 | score | best 5 | score f1-fine\"");
     const bool unlimited = settings.has("seconds") && !settings.given("evaluations");
     take(settings, bindings_of(search));
+    levels_from(search.levels); // refuses a wrong text
     if (unlimited) search.evaluations = std::numeric_limits<long>::max();
 }
 
@@ -193,6 +204,30 @@ Genes genes_from(const std::string& text) {
     if (genes.parts.empty() || static_cast<double>(genes.count) > max_genes)
         rough::refuse("--genes: \"", text, "\" is malformed; give ", kinds_of_genes);
     return genes;
+}
+
+std::vector<ga::LevelPrice> levels_from(const std::string& text) {
+    constexpr std::size_t max_levels = 8; // those of a set of ga::bit_of
+    if (text.empty()) return {{}};
+    std::vector<std::string> each;
+    boost::split(each, text, boost::is_any_of(","));
+    std::vector<ga::LevelPrice> levels;
+    for (const std::string& part : each) {
+        const auto words = parts_of(part);
+        const bool is_named = !words[0].empty() && std::ranges::all_of(words[0], [](char c) {
+            return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
+        });
+        if (words.size() != 2 || !is_named ||
+            std::ranges::any_of(levels, [&](const ga::LevelPrice& level) { return level.name == words[0]; }))
+            rough::refuse("levels: \"", text,
+                          "\" is malformed; give different names with prices, e.g. coarse:1,fine:18");
+        const double price = rough::number_from(words[1], "levels");
+        if (!(price > 0) || !(price < 1e9) || (levels.empty() && price != 1))
+            rough::refuse("levels: ", part, " has a wrong price; give 1 to the first level, and up to 1e9 to others");
+        levels.push_back({words[0], price, price});
+    }
+    if (levels.size() > max_levels) rough::refuse("levels: ", levels.size(), " given; give up to ", max_levels);
+    return levels;
 }
 
 std::vector<std::string> objective_names(std::size_t count) {

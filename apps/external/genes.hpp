@@ -29,6 +29,7 @@ struct Genes {
 struct OutsideSearch {
     Genes genes = {};
     std::string variant = {}, pipeline = {}; ///< one of them; by default ga, or nsga2 for several objectives
+    std::string levels = {};                 ///< levels of evaluation and their prices (levels_from)
     /// Genomes to begin with (numbers_from). A leading `sample n` of the pipeline draws only the missing
     /// ones.
     std::vector<std::vector<double>> start = {};
@@ -39,6 +40,7 @@ struct OutsideSearch {
 
     std::string searched = {};           ///< the pipeline that ran
     long spent = 0;                      ///< number of evaluations
+    double price = 0;                    ///< their price, in evaluations of the first level
     long failures = 0;                   ///< number of requested evaluations that failed
     std::string stopped = {};            ///< why it ended before its pipeline did; "" if it did not
     bool is_dead_end = false;            ///< see ga::Result
@@ -69,6 +71,10 @@ Genes genes_from(const std::string& text);
 
 /// The names of the objectives in pipelines: "f1", "f2", ...
 std::vector<std::string> objective_names(std::size_t count);
+
+/// The levels of "coarse:1,fine:18": a name, and the price in evaluations of the first level; one without a
+/// name for an empty text. Throws rough::InputError.
+std::vector<ga::LevelPrice> levels_from(const std::string& text);
 
 /// Which objectives are minimised, from the value of --minimise: "" for none, "all", or numbers from 1.
 /// Throws rough::InputError.

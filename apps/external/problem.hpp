@@ -22,24 +22,36 @@ struct OutsideProblem {
 
     std::size_t count;                           ///< number of genes
     std::vector<ga::Variable> range;             ///< bounds of real genes
-    std::vector<ga::Objective<Evaluation>> list; ///< f1, f2, ...
+    std::vector<ga::Objective<Evaluation>> list; ///< f1, f2, ..., then those of each further level: f1-fine, ...
     Genes genes = {};                            ///< kinds of the genes
-    /// Derivatives of the first objective with respect to real genes; empty if they are unknown.
-    std::function<std::vector<double>(const G&)> slopes = {};
+    std::vector<ga::LevelPrice> prices = {{}};   ///< levels of evaluation
+    std::size_t objectives_per_level = 1;        ///< number of objectives of one answer
+    /// Derivatives of the first objective of a level with respect to real genes; empty if they are unknown.
+    std::function<std::vector<double>(const G&, const std::string& level)> slopes = {};
     std::function<Evaluation(const G&)> answer = {}; ///< makes an evaluation; empty if an evaluator does
 
     OutsideProblem(std::size_t genes, std::vector<ga::Variable> range_of_reals, const std::vector<bool>& minimise)
-        : count(genes), range(std::move(range_of_reals)) {
+        : count(genes), range(std::move(range_of_reals)), objectives_per_level(minimise.size()) {
         const auto names = objective_names(minimise.size());
         for (std::size_t k = 0; k < names.size(); ++k)
             list.push_back({names[k], [k](const Evaluation& answer) { return answer.objectives.at(k); }, minimise[k]});
     }
-    OutsideProblem(const Genes& of, const std::vector<bool>& minimise)
-        : OutsideProblem(of.count, range_of(of), minimise) {
-        genes = of;
+    OutsideProblem(const OutsideSearch& search, const std::vector<bool>& minimise)
+        : OutsideProblem(search.genes.count, range_of(search.genes), minimise) {
+        genes = search.genes;
+        prices = levels_from(search.levels);
+        for (std::size_t level = 1; level < prices.size(); ++level)
+            for (std::size_t k = 0; k < minimise.size(); ++k) {
+                list.push_back(list[k]);
+                list.back().name += "-" + prices[level].name;
+                list.back().level = static_cast<ga::Level>(level);
+            }
     }
 
     Evaluation evaluate(const G& genome) const { return answer(genome); }
+    Evaluation evaluate(const G& genome, ga::Level) const { return answer(genome); }
+    const std::vector<ga::LevelPrice>& levels() const { return prices; }
+    const std::string& name_of(ga::Level level) const { return prices.at(static_cast<std::size_t>(level)).name; }
     const std::vector<ga::Objective<Evaluation>>& objectives() const { return list; }
     /// Genomes that are rounded to the same numbers have one key.
     std::string key(const G& genome) const requires std::same_as<G, std::vector<double>> {
@@ -58,7 +70,7 @@ struct OutsideProblem {
             if (!std::ranges::all_of(genome, [](double gene) { return std::isfinite(gene); })) return false;
         return genome.size() == count;
     }
-    bool valid_outcome(const Evaluation& answer) const { return is_valid(answer, list.size()); }
+    bool valid_outcome(const Evaluation& answer) const { return is_valid(answer, objectives_per_level); }
     const std::vector<double>& violation(const Evaluation& answer) const { return answer.violation; }
     std::size_t bytes(const Evaluation& answer) const {
         return (answer.objectives.size() + answer.violation.size()) * sizeof(double);
@@ -68,8 +80,9 @@ struct OutsideProblem {
     }
     bool has_gradient() const { return static_cast<bool>(slopes); }
     std::vector<double> gradient(const G& genome,
-                                 const std::string&) const requires std::same_as<G, std::vector<double>> {
-        return slopes(genome);
+                                 const std::string& objective) const requires std::same_as<G, std::vector<double>> {
+        const auto level = std::ranges::find(list, objective, &ga::Objective<Evaluation>::name)->level;
+        return slopes(genome, name_of(level));
     }
     G sample(ga::Stream& stream) const {
         if constexpr (std::same_as<G, ga::Permutation>) {
@@ -101,6 +114,12 @@ auto by_kind(const Genes& genes, Call call) {
     return genes.kind == Genes::Kind::numbers ? call(std::vector<double>())
            : genes.kind == Genes::Kind::bits  ? call(std::vector<bool>())
                                               : call(ga::Permutation());
+}
+
+/// The name of the level whose solutions a record contains.
+inline std::string level_of(const OutsideSearch& search, const BestKnown& record) {
+    const auto levels = levels_from(search.levels);
+    return levels[std::min(record.level(), levels.size() - 1)].name; // a checkpoint may be forged
 }
 
 /// The variant of a search: the given one, "pipeline" for a text, or the default for the objectives.

@@ -49,7 +49,10 @@ bool BestKnown::dominates(const Evaluation& a, const Evaluation& b) const {
     return better;
 }
 
-void BestKnown::take(const Solution& solution) {
+void BestKnown::take(const Solution& solution, std::size_t level) {
+    if (level < level_) return;
+    if (level > level_) front_.clear();
+    level_ = level;
     for (Solution& other : front_) {
         if (dominates(other.answer, solution.answer)) return;
         if (other.answer.objectives == solution.answer.objectives &&

@@ -32,14 +32,15 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Evaluation, objectives, violation)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Solution, genes, answer)
 ///@}
 
-/// The non-dominated ones of all evaluated solutions. They do not depend on their order. Ties: the first in
-/// alphabetical order of the genes.
+/// The non-dominated ones of all evaluated solutions of the last level that was evaluated. They do not depend
+/// on their order. Ties: the first in alphabetical order of the genes.
 class BestKnown {
   public:
     /// Whether each objective is minimised.
     std::vector<bool> minimise;
 
-    void take(const Solution& solution);
+    void take(const Solution& solution, std::size_t level = 0);
+    std::size_t level() const { return level_; } ///< number of their level
     /// The best by Deb's rules (less violation is better), then by the first objective; or null.
     const Solution* best() const { return front_.empty() ? nullptr : &front_.front(); }
     /// The non-dominated solutions, sorted by the first objective; at most one for one objective.
@@ -48,13 +49,14 @@ class BestKnown {
     /// Whether every solution has genes and an answer to each objective; false after reading another file.
     bool is_valid() const;
 
-    NLOHMANN_DEFINE_TYPE_INTRUSIVE(BestKnown, front_)
+    NLOHMANN_DEFINE_TYPE_INTRUSIVE(BestKnown, front_, level_)
 
   private:
     bool is_better(const Solution& a, const Solution& b) const;
     bool dominates(const Evaluation& a, const Evaluation& b) const;
 
     std::vector<Solution> front_;
+    std::size_t level_ = 0;
 };
 
 } // namespace app

@@ -85,7 +85,7 @@ std::vector<ContactScene> bred_scenes(long evaluations, std::uint64_t seed, int 
     const auto breeding = ga::Parser<HardScenes>(ga::whole_vocabulary<HardScenes>())
                               .parse("sample 40 | score | repeat 1000000 { tournament 3 | cross uniform | "
                                      "mutate 0.2 | score | elite 5 }");
-    HardScenes problem(thousandths, {false});
+    HardScenes problem(OutsideSearch{.genes = thousandths}, {false});
     problem.answer = [&stop](const std::vector<double>& genome) { return work_of(genome, stop); };
     const ga::RunOptions options{.seed = seed, .threads = threads, .budget = {.evaluations = evaluations}};
     ga::HallOfFame<HardScenes> hardest(problem, 20 * worst); // some genes of a scene have no effect

@@ -57,6 +57,11 @@ class AskTell : Evaluator<P> {
                 proposals.push_back({first_ + i, *calls_[i].genome});
         return proposals;
     }
+    /// The level of evaluation of an open proposal; level 0 for another.
+    Level level_of(std::size_t id) {
+        const std::lock_guard lock(guard_);
+        return id >= first_ && id - first_ < calls_.size() ? calls_[id - first_].level : Level{};
+    }
     /// Answers an open proposal. Throws UsageError if the proposal is not open. A stopped run ignores
     /// answers.
     void tell(std::size_t id, Outcome outcome) { answer(id, std::move(outcome)); }

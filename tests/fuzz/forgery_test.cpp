@@ -98,9 +98,9 @@ void forge_search(const std::string& genes, const std::string& pipeline, bool se
     using P = app::OutsideProblem<G>;
     const tests::Folder folder;
     const std::vector<bool> minimise(several ? 2 : 1, false);
-    const P problem(app::genes_from(genes), minimise);
     app::OutsideSearch search;
-    search.genes = problem.genes;
+    search.genes = app::genes_from(genes);
+    const P problem(search, minimise);
     search.pipeline = pipeline;
     const auto stage = app::stage_of<P>(search, minimise.size());
     const auto run = [&](bool resume, long evaluations) {

@@ -150,8 +150,8 @@ Children::~Children() {
     if (std::filesystem::is_empty(log_file_, none)) std::filesystem::remove(log_file_, none);
 }
 
-std::vector<Children::Answer> Children::ask(std::span<const std::string> genes, const ga::Watch& watch) {
-    std::vector<Answer> answers(genes.size());
+std::vector<Children::Answer> Children::ask(std::span<const Request> requests, const ga::Watch& watch) {
+    std::vector<Answer> answers(requests.size());
     std::atomic<std::size_t> next = 0;
     const auto stops = [&] {
         bound_log();
@@ -160,19 +160,19 @@ std::vector<Children::Answer> Children::ask(std::span<const std::string> genes, 
     // One child works until the first success tells the number of objectives.
     const bool begins = !first_;
     const auto work = [&](std::unique_ptr<Child>& child) {
-        for (std::size_t i; !stops() && !(begins && first_) && (i = next++) < genes.size();)
-            if (const auto known = known_.find(genes[i]); known != known_.end())
+        for (std::size_t i; !stops() && !(begins && first_) && (i = next++) < requests.size();)
+            if (const auto known = known_.find(requests[i].genes); known != known_.end())
                 answers[i] = known->second;
-            else if (answers[i] = answer_of(child, genes[i], stops); begins)
-                known_[genes[i]] = answers[i];
+            else if (answers[i] = answer_of(child, requests[i], stops); begins)
+                known_[requests[i].genes] = answers[i];
     };
     std::vector<std::jthread> threads;
-    for (std::size_t i = 0; i < (begins ? 1 : std::min(children_.size(), genes.size())); ++i)
+    for (std::size_t i = 0; i < (begins ? 1 : std::min(children_.size(), requests.size())); ++i)
         threads.emplace_back(work, std::ref(children_[i]));
     threads.clear(); // waits for them
-    for (std::size_t i = 0; i < genes.size(); ++i)
+    for (std::size_t i = 0; i < requests.size(); ++i)
         if (const auto* answer = std::get_if<Evaluation>(&answers[i]))
-            record.take({genes[i], *answer});
+            record.take({requests[i].genes, *answer}, requests[i].number);
         else if (const auto* why = std::get_if<ga::Reason>(&answers[i]); why && first_failure_.empty())
             first_failure_ = **why;
     return answers;
@@ -180,7 +180,7 @@ std::vector<Children::Answer> Children::ask(std::span<const std::string> genes, 
 
 /// The answer of a child, which is started if it does not run. Pending if `stops` returns true or on trouble.
 /// A child that did not answer is ended.
-Children::Answer Children::answer_of(std::unique_ptr<Child>& child, const std::string& genes,
+Children::Answer Children::answer_of(std::unique_ptr<Child>& child, const Request& wanted,
                                      const std::function<bool()>& stops) {
     constexpr long max_deaths = 100;
     try {
@@ -190,10 +190,11 @@ Children::Answer Children::answer_of(std::unique_ptr<Child>& child, const std::s
         return {};
     }
     const long id = ++sent_;
-    const std::string request = "{\"id\":" + std::to_string(id) + ",\"genes\":" + genes + "}";
+    const std::string request = "{\"id\":" + std::to_string(id) + ",\"genes\":" + wanted.genes +
+                                (wanted.level.empty() ? "" : ",\"level\":\"" + wanted.level + "\"") + "}";
     const std::string sent = "--evaluate: '" + clipped(text_) + "' was sent " + clipped(request) + " and ";
-    const std::string wanted = "; answer with a line {\"id\":" + std::to_string(id) + ",\"objectives\":[" +
-                               (objectives() == 0 ? "" : std::to_string(objectives()) + " ") + "finite numbers]}";
+    const std::string answering = "; answer with a line {\"id\":" + std::to_string(id) + ",\"objectives\":[" +
+                                  (objectives() == 0 ? "" : std::to_string(objectives()) + " ") + "finite numbers]}";
     Answer answer;
     if (const auto line = child->answer(request, seconds_, stops)) {
         std::string fault;
@@ -206,12 +207,12 @@ Children::Answer Children::answer_of(std::unique_ptr<Child>& child, const std::s
             deaths_ = 0;
             return answer;
         }
-        give_up(sent + "answered \"" + clipped(*line) + "\" (" + fault + ")" + wanted);
+        give_up(sent + "answered \"" + clipped(*line) + "\" (" + fault + ")" + answering);
     } else if (child->is_silent()) {
         const std::string& part = child->unfinished();
         const std::string end = (part.empty() ? "" : "wrote \"" + clipped(part) + "\" and ") + child->end(0.2);
         if (++deaths_ >= max_deaths)
-            give_up(sent + end + ", the last of " + std::to_string(max_deaths) + " such ends in a row" + wanted +
+            give_up(sent + end + ", the last of " + std::to_string(max_deaths) + " such ends in a row" + answering +
                     log_end());
         else
             answer = ga::reason("'" + clipped(text_) + "' " + end);

@@ -62,9 +62,15 @@ class Children {
 
     /// An answer, or why the evaluation failed; pending if the watch expired first or there was trouble.
     using Answer = ga::Evaluation<Evaluation>;
-    /// The answers for genomes, given as JSON arrays. Before the number of objectives is known, answers end
+    /// A genome to evaluate.
+    struct Request {
+        std::string genes;      ///< as a JSON array
+        std::string level = {}; ///< name of the level of evaluation; empty if there is one
+        std::size_t number = 0; ///< number of the level
+    };
+    /// The answers for genomes. Before the number of objectives is known, answers end
     /// with the first evaluation that succeeds.
-    std::vector<Answer> ask(std::span<const std::string> genes, const ga::Watch& watch);
+    std::vector<Answer> ask(std::span<const Request> requests, const ga::Watch& watch);
     /// The first error, in one line; empty without an error. Genomes are not sent after it.
     const std::string& trouble() const { return trouble_; }
     /// Number of objectives of each answer; 0 before the first one.
@@ -76,7 +82,7 @@ class Children {
     BestKnown record; ///< the best of all answers
 
   private:
-    Answer answer_of(std::unique_ptr<Child>& child, const std::string& genes, const std::function<bool()>& stops);
+    Answer answer_of(std::unique_ptr<Child>& child, const Request& wanted, const std::function<bool()>& stops);
     Answer read(const std::string& line, long id, std::string& fault) const;
     void give_up(const std::string& message);
     std::string log_tail() const;

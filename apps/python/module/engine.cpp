@@ -76,7 +76,7 @@ problem: a function of genes, or an object with evaluate(genes) or evaluate_batc
 each), and perhaps gradient(genes). evaluate returns a number, `objectives` numbers, or (numbers,
 violation). A violation (a number, or one per constraint) above 0 breaks a constraint. An exception, None and
 NaN are failures of that genome (an exception of evaluate_batch: of the batch). If all fail, the first
-exception is raised.
+exception is raised. With `levels`, these functions get a level's name as their second argument.
 genes: real ones between lower and upper, `bits` bits, or a `permutation` of 0 .. n-1.
 minimise: for all objectives, or one bool each.
 start: genomes to begin with, one per row. A leading `sample n` of the pipeline draws only the missing ones.
@@ -121,6 +121,11 @@ void add_engine(py::module_& module) {
         .def_readonly("population", &Optimisation::population,
                       "Genes of the pipeline's last population, individuals x genes.")
         .def_readonly("evaluations", &Optimisation::spent, "Number of evaluations.")
+        .def_readonly("price", &Optimisation::price,
+                      "Price of the evaluations and gradients, in evaluations of the first level.")
+        .def_property_readonly(
+            "level", [](const Optimisation& o) { return app::level_of(o, o.record); },
+            "Level of `best` and `front`, the last one that was evaluated; empty if there is one.")
         .def_readonly("failures", &Optimisation::failures, "Number of evaluations that failed.")
         .def_readonly("pipeline", &Optimisation::searched, "The pipeline that ran.")
         .def_readonly("stopped", &Optimisation::stopped,
@@ -133,6 +138,8 @@ void add_engine(py::module_& module) {
         });
     py::class_<Search>(module, "Search", "A search that search() began.")
         .def("ask", &Search::ask, "Genomes to evaluate, one per row; no rows after the end of the search.")
+        .def_property_readonly("levels", &Search::levels,
+                               "The level of each row of ask(); empty names if there is one.")
         .def("tell", &Search::tell, "answers"_a,
              "One answer per row of ask(), as evaluate of optimise() returns it; None or an exception: it "
              "failed.")

@@ -23,9 +23,10 @@ struct Optimisation : app::OutsideSearch {
 class Search {
   public:
     virtual ~Search() = default;
-    virtual py::array ask() = 0;                      ///< genomes x genes; no rows after the end of the search
-    virtual void tell(const py::object& answers) = 0; ///< one per row of ask(), in its order
-    virtual Optimisation result() = 0;                ///< ends it
+    virtual py::array ask() = 0;                         ///< genomes x genes; no rows after the end of the search
+    virtual std::vector<std::string> levels() const = 0; ///< level of each row; "" if there is one
+    virtual void tell(const py::object& answers) = 0;    ///< one per row of ask(), in its order
+    virtual Optimisation result() = 0;                   ///< ends it
 };
 
 /// Runs a search by the problem's evaluations and stores its result.

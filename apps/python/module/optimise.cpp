@@ -80,19 +80,25 @@ ga::Evaluation<app::Evaluation> answer_of(const py::handle& given, std::size_t o
     return answer;
 }
 
+/// The answer of Python for genes, and for the level's name if the problem has several levels.
+py::object called(const py::object& function, const py::object& genes, const std::string& level) {
+    return level.empty() ? function(genes) : function(genes, level);
+}
+
 /// The problem of a search, with the gradient if Python has one. Python's objects are pointed at, because the
 /// engine copies problems without the interpreter's lock.
 template <class G>
 app::OutsideProblem<G> problem_of(const Optimisation& search, Callback& callback) {
-    app::OutsideProblem<G> problem(search.genes, search.minimise);
+    app::OutsideProblem<G> problem(search, search.minimise);
     if constexpr (std::same_as<G, std::vector<double>>)
         if (py::hasattr(search.problem, "gradient"))
-            problem.slopes = [object = &search.problem, call = &callback](const G& genome) {
+            problem.slopes = [object = &search.problem, call = &callback](const G& genome, const std::string& level) {
                 std::vector<double> slopes;
                 std::string error;
                 (*call)([&] {
                     try {
-                        slopes = values_from(object->attr("gradient")(py::array(py::cast(genome))), "gradient");
+                        slopes = values_from(called(object->attr("gradient"), py::array(py::cast(genome)), level),
+                                             "gradient");
                     } catch (py::error_already_set& raised) {
                         error = first_line_of(raised);
                     } catch (const rough::InputError& refused) {
@@ -119,16 +125,28 @@ class ByPython : public ga::Evaluator<P> {
     ByPython(Callback& callback, Optimisation& search) : callback_(callback), search_(search) {}
 
     void outcomes(const P& problem, std::span<ga::EvaluationCall<P>> calls, const ga::Watch& watch) override {
+        // A batch has one level.
+        for (auto end = calls.begin(); !calls.empty(); calls = {end, calls.end()}) {
+            const ga::Level level = calls.front().level;
+            end = std::ranges::find_if(calls, [&](const auto& call) { return call.level != level; });
+            outcomes_at(level, problem, {calls.begin(), end}, watch);
+        }
+    }
+
+  private:
+    void outcomes_at(ga::Level level, const P& problem, std::span<ga::EvaluationCall<P>> calls,
+                     const ga::Watch& watch) {
         using G = typename P::Genome;
         callback_([&] {
+            const std::string& name = problem.name_of(level);
             const auto rows =
                 rows_of<G>(calls, problem.count, [](const auto& call) -> const G& { return *call.genome; });
             const py::object& own = search_.problem;
-            const std::size_t objectives = problem.objectives().size();
+            const std::size_t objectives = problem.objectives_per_level;
             const auto take = [&](ga::EvaluationCall<P>& call, const py::handle& given) {
                 *call.answer = answer_of(given, objectives);
                 if (const auto* answer = std::get_if<app::Evaluation>(call.answer))
-                    search_.record.take({app::genes_text(*call.genome), *answer});
+                    search_.record.take({app::genes_text(*call.genome), *answer}, static_cast<std::size_t>(level));
             };
             const auto fail = [&](std::span<ga::EvaluationCall<P>> failed, py::error_already_set& error) {
                 const ga::Reason why = ga::reason(first_line_of(error));
@@ -137,7 +155,7 @@ class ByPython : public ga::Evaluator<P> {
             };
             if (py::hasattr(own, "evaluate_batch")) {
                 try {
-                    const py::list answers(own.attr("evaluate_batch")(rows));
+                    const py::list answers(called(own.attr("evaluate_batch"), rows, name));
                     expect_answers("evaluate_batch", answers.size(), calls.size());
                     for (std::size_t i = 0; i < calls.size(); ++i) take(calls[i], answers[i]);
                 } catch (py::error_already_set& error) {
@@ -147,14 +165,13 @@ class ByPython : public ga::Evaluator<P> {
             }
             const py::object evaluate = py::hasattr(own, "evaluate") ? py::object(own.attr("evaluate")) : own;
             for (std::size_t i = 0; i < calls.size() && !watch.expired(); ++i) try {
-                    take(calls[i], evaluate(rows[py::int_(i)]));
+                    take(calls[i], called(evaluate, rows[py::int_(i)], name));
                 } catch (py::error_already_set& error) {
                     fail(calls.subspan(i, 1), error);
                 }
         });
     }
 
-  private:
     Callback& callback_;
     Optimisation& search_;
 };
@@ -258,6 +275,7 @@ struct Prepared {
             std::rethrow_exception(search.first_error);
         if (found.is_dead_end && !search.record.best()) rough::refuse("optimise: ", found.stopped);
         search.spent = found.counters.evaluations;
+        search.price = found.counters.price;
         search.failures = found.counters.failures;
         search.stopped = found.stopped;
         search.notes = found.notes;
@@ -285,8 +303,15 @@ class AskTell : public Search {
     py::array ask() override {
         prepared_.callback.rethrow();
         open_ = prepared_.callback.unlocked([&] { return engine_.ask(); });
+        levels_.clear();
+        for (const auto& proposal : open_) levels_.push_back(engine_.level_of(proposal.id));
         asker_ = std::this_thread::get_id();
         return rows_of<G>(open_, prepared_.problem.count, &Engine::Proposal::genome);
+    }
+    std::vector<std::string> levels() const override {
+        std::vector<std::string> names;
+        for (const ga::Level level : levels_) names.push_back(prepared_.problem.name_of(level));
+        return names;
     }
     void tell(const py::object& iterable) override {
         const py::list given(iterable);
@@ -296,9 +321,10 @@ class AskTell : public Search {
         std::vector<ga::Evaluation<app::Evaluation>> answers;
         for (const py::handle& each : given) answers.push_back(answer_of(each, search_.minimise.size()));
         const auto open = std::exchange(open_, {}); // another thread may ask
+        const auto levels = std::exchange(levels_, {});
         for (std::size_t i = 0; i < answers.size(); ++i)
             if (const auto* answer = std::get_if<app::Evaluation>(&answers[i]))
-                search_.record.take({app::genes_text(open[i].genome), *answer});
+                search_.record.take({app::genes_text(open[i].genome), *answer}, static_cast<std::size_t>(levels[i]));
         const py::gil_scoped_release unlocked;
         for (std::size_t i = 0; i < answers.size(); ++i)
             if (auto* answer = std::get_if<app::Evaluation>(&answers[i]))
@@ -316,6 +342,7 @@ class AskTell : public Search {
     std::atomic<bool> stop_ = false;
     Prepared<G> prepared_;
     Engine engine_;
+    std::vector<ga::Level> levels_;               ///< of the last proposals
     std::vector<typename Engine::Proposal> open_; ///< used only with the interpreter's lock
     std::thread::id asker_;                       ///< the thread that has asked last
 };

@@ -137,12 +137,15 @@ class Optimisation:
     population: NDArray
     evaluations: int
     failures: int
+    price: float
+    level: str
     pipeline: str
     stopped: str
     notes: List[str]
     interrupted: bool
 
 class Search:
+    levels: list[str]
     def ask(self) -> NDArray: ...
     def tell(self, answers: Iterable[Any]) -> None: ...
     def result(self) -> Optimisation: ...
@@ -154,11 +157,11 @@ def contact(heights: Union[ArrayLike, Profile, Surface, Genome], spacing: Option
 def design(target_pressure: Optional[ArrayLike] = ..., target_stiffness: Optional[ArrayLike] = ...,
            **options: Any) -> Design: ...
 def optimise(problem: Any, *, lower: Optional[ArrayLike] = ..., upper: Optional[ArrayLike] = ..., bits: int = ...,
-             permutation: int = ..., pipeline: str = ..., variant: str = ...,
+             permutation: int = ..., pipeline: str = ..., variant: str = ..., levels: str = ...,
              minimise: Union[bool, Sequence[bool]] = ..., objectives: int = ..., evaluations: int = ...,
              seconds: float = ..., max_failures: float = ..., seed: int = ..., start: ArrayLike = ..., operators: Iterable[Any] = ...,
              observers: Iterable[Callable[[dict], Any]] = ...) -> Optimisation: ...
 def search(*, lower: Optional[ArrayLike] = ..., upper: Optional[ArrayLike] = ..., bits: int = ..., permutation: int = ...,
-           pipeline: str = ..., variant: str = ..., minimise: Union[bool, Sequence[bool]] = ..., objectives: int = ...,
+           pipeline: str = ..., variant: str = ..., levels: str = ..., minimise: Union[bool, Sequence[bool]] = ..., objectives: int = ...,
            evaluations: int = ..., seconds: float = ..., max_failures: float = ..., seed: int = ...,
            start: ArrayLike = ..., operators: Iterable[Any] = ..., observers: Iterable[Callable[[dict], Any]] = ...) -> Search: ...

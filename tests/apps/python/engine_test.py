@@ -194,6 +194,54 @@ class Engine(WithFolder):
         self.assertEqual(scores[-1]["genes"].shape, (10, 2))
         self.assertEqual(scores[-1]["fitness"][0], sphere(scores[-1]["genes"][0]))
 
+    def test_levels_have_prices(self):
+        seen = {"coarse": 0, "fine": 0}
+
+        class TwoModels:
+            def evaluate(self, genes, level):
+                seen[level] += 1
+                return sphere(genes) + (0.1 * genes[0] if level == "fine" else 0)
+
+        class Batches:
+            def evaluate_batch(self, genes, level):
+                return [TwoModels().evaluate(row, level) for row in genes]
+
+        words = dict(lower=[-5] * 3, upper=[5] * 3, minimise=True, levels="coarse:1,fine:18", seed=4,
+                     pipeline="sample 30 | score | best 4 | score f1-fine | refine nlopt LN_BOBYQA 180 | best 1")
+        found = rugosa.optimise(TwoModels(), **words)
+        self.assertEqual(found.price, seen["coarse"] + 18 * seen["fine"])
+        self.assertEqual(found.evaluations, seen["coarse"] + seen["fine"])
+        self.assertGreater(seen["fine"], 4)
+        self.assertEqual(found.level, "fine")
+        self.assertAlmostEqual(found.objectives[0], sphere(found.best) + 0.1 * found.best[0], 12)
+        self.assertEqual(rugosa.optimise(Batches(), **words).best.tolist(), found.best.tolist())
+        search = rugosa.search(**words)
+        while len(genes := search.ask()):
+            search.tell([TwoModels().evaluate(*one) for one in zip(genes, search.levels)])
+        self.assertEqual(search.result().best.tolist(), found.best.tolist())
+        for most in 30, 47, 48, 100:  # the price never exceeds the budget
+            seen.update(coarse=0, fine=0)
+            rugosa.optimise(TwoModels(), evaluations=most, **words)
+            self.assertLessEqual(seen["coarse"] + 18 * seen["fine"], most)
+        (self.folder / "f.py").write_text("""
+import json, sys
+for line in sys.stdin:
+    asked = json.loads(line)
+    x = asked["genes"]
+    print(json.dumps({"id": asked["id"], "objectives": [sum(g * g for g in x) + (0.1 * x[0] if asked["level"] == "fine" else 0)]}), flush=True)
+""")
+        self.rugosa("optimise", "--genes", "real:3:-5:5", "--evaluate", f"{sys.executable} f.py", "--minimise",
+                    "--seed", 4, "--levels", words["levels"], "--pipeline", words["pipeline"], "--out", "o")
+        result = json.loads((self.folder / "o/result.json").read_text())
+        self.assertEqual(result["best"]["genes"], found.best.tolist())
+        self.assertEqual((result["price"], result["level"]), (found.price, "fine"))
+        for levels, part in (("coarse", "malformed"), ("coarse:2", "price"), ("a:1,a:2", "different"),
+                             ("a:1,b:-1", "price"), ("a:1,b:nan", "finite")):
+            with self.assertRaisesRegex(rugosa.InputError, part):
+                rugosa.optimise(TwoModels(), **(words | dict(levels=levels)))
+        with self.assertRaisesRegex(rugosa.InputError, "pipeline"):
+            rugosa.optimise(TwoModels(), lower=[0], upper=[1], levels="coarse:1,fine:2")
+
     def test_failures_of_evaluations(self):
         class Batch:
             def evaluate_batch(self, genes):
