@@ -144,34 +144,8 @@ class LeastChange {
     long last_better_ = 0; ///< `gradients` at the last marked improvement of the best point
 };
 
-} // namespace
-
-std::vector<ChromosomeName> chromosomes_from(const std::string& text, const Genome& genome) {
-    std::vector<ChromosomeName> names;
-    for (const std::string& word : listed(text)) {
-        const auto expect = [&](bool holds, const std::string& problem) {
-            if (!holds) refuse_value("control", word, problem);
-        };
-        int series = 0, n = 0, end = 0;
-        expect(word.find_first_not_of("0123456789:") == std::string::npos &&
-                   std::sscanf(word.c_str(), "%6d:%6d%n", &series, &n, &end) == 2 &&
-                   word.size() == static_cast<std::size_t>(end),
-               " is not a chromosome; use SERIES:CHROMOSOME, e.g. 1:3");
-        const ChromosomeName name{static_cast<std::size_t>(series), n};
-        expect(series >= 1 && name.series <= genome.series.size() &&
-                   std::ranges::count(genome.series[name.series - 1].chromosomes, n, &Chromosome::n) > 0,
-               " is not in the genome; use " + chromosomes_of(genome));
-        expect(!std::count(names.begin(), names.end(), name), " is named twice; name each chromosome once");
-        names.push_back(name);
-    }
-    if (names.empty()) refuse_value("control", "no chromosome is named; use SERIES:CHROMOSOME, e.g. 1:3");
-    return names;
-}
-
-Morphed morph(const DesignSetup& given, const Genome& genome, const std::vector<ChromosomeName>& control,
-              double largest_change, double required) {
-    if (!(largest_change > 0) || largest_change > 0.5)
-        refuse_value("largest-change", largest_change, " is out of range (above 0 to 0.5 of a turn)");
+Morphed changed(const DesignSetup& given, const Genome& genome, const std::vector<ChromosomeName>& control,
+                double largest_change, double required) {
     DesignSetup setup = given;
     const double radius = 2 * std::numbers::pi * largest_change;
     setup.phases = PhaseReach{0, radius};
@@ -205,6 +179,49 @@ Morphed morph(const DesignSetup& given, const Genome& genome, const std::vector<
                                   before[g], after[g], std::abs(x[i]) >= 1 - 1e-6});
     }
     return result;
+}
+
+} // namespace
+
+std::vector<ChromosomeName> chromosomes_from(const std::string& text, const Genome& genome) {
+    std::vector<ChromosomeName> names;
+    for (const std::string& word : listed(text)) {
+        const auto expect = [&](bool holds, const std::string& problem) {
+            if (!holds) refuse_value("control", word, problem);
+        };
+        int series = 0, n = 0, end = 0;
+        expect(word.find_first_not_of("0123456789:") == std::string::npos &&
+                   std::sscanf(word.c_str(), "%6d:%6d%n", &series, &n, &end) == 2 &&
+                   word.size() == static_cast<std::size_t>(end),
+               " is not a chromosome; use SERIES:CHROMOSOME, e.g. 1:3");
+        const ChromosomeName name{static_cast<std::size_t>(series), n};
+        expect(series >= 1 && name.series <= genome.series.size() &&
+                   std::ranges::count(genome.series[name.series - 1].chromosomes, n, &Chromosome::n) > 0,
+               " is not in the genome; use " + chromosomes_of(genome));
+        expect(!std::count(names.begin(), names.end(), name), " is named twice; name each chromosome once");
+        names.push_back(name);
+    }
+    if (names.empty()) refuse_value("control", "no chromosome is named; use SERIES:CHROMOSOME, e.g. 1:3");
+    return names;
+}
+
+Morphed morph(const DesignSetup& setup, const Genome& genome, const std::vector<ChromosomeName>& control,
+              double largest_change, double required) {
+    if (!(largest_change > 0) || largest_change > 0.5)
+        refuse_value("largest-change", largest_change, " is out of range (above 0 to 0.5 of a turn)");
+    Morphed first = changed(setup, genome, control, largest_change, required);
+    if (!setup.model.grid.is_2d()) return first;
+    const Verifier verifier(as_reported(setup), setup.model.contact.threads);
+    const Verification seen = verifier.of(first.genome);
+    if (!(seen.worst < required)) return first;  // also if it was stopped
+    const double error = seen.both - seen.worst; // estimated
+    Morphed again = changed(corrected_targets(setup, seen.misfits.front(), seen.misfits.back()), genome, control,
+                            largest_change, std::min(required + error, 1 - min_aim));
+    again.gradients += first.gradients;
+    if (!(verifier.of(again.genome).worst > seen.worst)) return first;
+    again.before = first.before;
+    again.after = similarity(setup, again.genome);
+    return again;
 }
 
 SearchResult as_found(const DesignSetup& setup, const Morphed& morphed) {

@@ -47,6 +47,9 @@ struct Morphed {
 /// to |r_k| <= 1 - required for all k. The method is sequential quadratic programming (Kraft 1988; NLopt's
 /// LD_SLSQP) with exact derivatives.
 ///
+/// On a map the required similarity is that of the surface (Verification::worst). If the change misses it, the
+/// targets are corrected once (corrected_targets).
+///
 /// If the constraints cannot be met, the result is the genome whose largest misfit is the smallest. Limits on
 /// shape count as misfits. `control` names at least one chromosome. Only the phases of these chromosomes
 /// change. `largest_change` limits the change of a phase. It is a share of a turn, > 0 and <= 0.5. `required`

@@ -105,27 +105,6 @@ DesignPipeline in_more_steps(const ga::Arguments& arguments, const DesignPipelin
     return under("more-steps", static_cast<int>(arguments.count("n")), body, in_finer_steps);
 }
 
-/// The set-up with targets corrected by the difference of two curves of one genome. `here` are its misfits
-/// under the problem, `finest` those in the finest model to the targets before any correction. A genome with
-/// this difference that meets the corrected targets meets the given ones in the finest model (space mapping;
-/// Bandler and others, IEEE Trans. Microw. Theory Tech. 52, 2004, 337).
-DesignSetup corrected_targets(DesignSetup setup, const std::vector<Eigen::VectorXd>& here,
-                              const std::vector<Eigen::VectorXd>& finest) {
-    constexpr double most = 2; // larger factors do not correct
-    for (std::size_t t = 0; t < setup.targets.size(); ++t) {
-        Target& target = setup.targets[t];
-        for (Index k = 0; k < target.points(); ++k) {
-            const auto value = [&](const auto& misfits) {
-                return std::max(1 + misfits[t][k] / target.weight, 1 / most);
-            };
-            const double factor = std::clamp(value(here) / value(finest), 1 / most, most);
-            target.y[k] *= factor;
-            if (target.has_band()) target.lower[k] *= factor, target.upper[k] *= factor;
-        }
-    }
-    return setup;
-}
-
 /// Runs `body` on the first individual under corrected targets; the given population follows its result.
 DesignPipeline corrected(const ga::Arguments&, const DesignPipeline& body) {
     return ga::derived_stage<DesignProblem>(

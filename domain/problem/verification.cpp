@@ -80,6 +80,23 @@ Eigen::VectorXd with_neighbours(const Eigen::VectorXd& values) {
 
 } // namespace
 
+DesignSetup corrected_targets(DesignSetup setup, const std::vector<Eigen::VectorXd>& here,
+                              const std::vector<Eigen::VectorXd>& finest) {
+    constexpr double most = 2; // larger factors do not correct
+    for (std::size_t t = 0; t < setup.targets.size(); ++t) {
+        Target& target = setup.targets[t];
+        for (Index k = 0; k < target.points(); ++k) {
+            const auto value = [&](const auto& misfits) {
+                return std::max(1 + misfits[t][k] / target.weight, 1 / most);
+            };
+            const double factor = std::clamp(value(here) / value(finest), 1 / most, most);
+            target.y[k] *= factor;
+            if (target.has_band()) target.lower[k] *= factor, target.upper[k] *= factor;
+        }
+    }
+    return setup;
+}
+
 Refinement verified_refinement(const Grid& grid) {
     constexpr Index large = 512;
     if (!grid.is_2d()) return {4, 16};

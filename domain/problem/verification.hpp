@@ -12,6 +12,13 @@ namespace rough {
 /// (DesignSetup::measured) are computed again in the finer steps; other targets do not change.
 DesignSetup in_finer_steps(DesignSetup setup, int times);
 
+/// The set-up with targets corrected by the difference of two curves of one genome. `here` are its misfits
+/// under the problem, `finest` those in the finest model to the targets before any correction. A genome with
+/// this difference that meets the corrected targets meets the given ones in the finest model (space mapping;
+/// Bandler and others, IEEE Trans. Microw. Theory Tech. 52, 2004, 337).
+DesignSetup corrected_targets(DesignSetup setup, const std::vector<Eigen::VectorXd>& here,
+                              const std::vector<Eigen::VectorXd>& finest);
+
 /// The factors of a finer model.
 struct Refinement {
     Index nodes; ///< on the nodes along each axis

@@ -35,9 +35,9 @@ std::string in_unit(double length) {
 }
 
 /// The similarity that the verdict is about, under all conditions; -infinity if one of them has no response.
-/// That of a surface in production is on the grid and in the load steps of its target.
+/// That of a profile in production is on the grid and in the load steps of its target.
 double verified_of(const DesignRun& run) {
-    if (run.morphed) return run.found.best.similarity;
+    if (run.morphed && !run.setup.model.grid.is_2d()) return run.found.best.similarity;
     const double lowest = run.found.best.lowest();
     const auto decides = [](const rough::Check& check) { return check.decides; };
     if (!run.trust || std::ranges::none_of(run.trust->checks, decides)) return lowest;
@@ -72,8 +72,9 @@ std::string verdict_of(const DesignRun& run) {
     else if (run.morphed)
         line = (found ? "restored: similarity " : "not restored: similarity ") +
                (is_enough ? readable(verified, 5) : below(verified, required)) + ", before " +
-               readable(run.morphed->before, 4) + "; " + wanted + "; lowest similarity " +
-               readable(run.found.best.lowest(), 4) + ", " + conditions;
+               readable(run.morphed->before, 4) + "; " + wanted +
+               (run.setup.model.grid.is_2d() ? "" : "; lowest similarity " + readable(run.found.best.lowest(), 4)) +
+               ", " + conditions;
     else if (is_enough)
         line = (found              ? "found"
                 : is_verified(run) ? missed_by(run.found)
@@ -89,7 +90,9 @@ std::string verdict_of(const DesignRun& run) {
 }
 
 /// Whether misfits are those on the search grid, without an estimated error.
-bool as_designed(const DesignRun& run) { return run.morphed || !run.found.best.is_verified(); }
+bool as_designed(const DesignRun& run) {
+    return (run.morphed && !run.setup.model.grid.is_2d()) || !run.found.best.is_verified();
+}
 
 /// The largest misfit of an answer to a target with its estimated error, relative to the target, and the
 /// index of its point.
@@ -276,8 +279,8 @@ std::string obstacles(const DesignRun& run) {
     if (run.morphed) {
         const std::size_t missed = run.morphed->missed.size();
         join(all, missed == 0 ? ""
-                              : "these chromosomes cannot match " + std::to_string(missed) +
-                                    " points within the largest permitted change");
+                              : "no change was found that matches " + std::to_string(missed) +
+                                    " points; name more chromosomes, or permit a larger --largest-change");
         return all;
     }
     if (run.unreachable.bound < run.setup.required_similarity)
