@@ -15,7 +15,7 @@ if(CMAKE_CXX_FLAGS_RELEASE STREQUAL "-O1 -DNDEBUG") # other flags are the user's
 endif()
 
 # Many files are compiled together, in few groups, because each reading of the common headers costs seconds; without,
-# a change to one file costs less. Pipelines for a problem are a group of their own, as they take longest.
+# a change to one file costs less. Files that instantiate the engine stand alone, and no group takes much memory.
 function(rugosa_unity target)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
     foreach(source ${ARGN})
@@ -23,7 +23,15 @@ function(rugosa_unity target)
         if(place STREQUAL "ga/refinement/nlopt.cpp") # programs that do not refine link without NLopt
             set(group nlopt)
         elseif(place MATCHES "/pipelines|domain/paper/variants.cpp|/search.cpp")
-            set(group pipelines)
+            string(MAKE_C_IDENTIFIER ${place} group)
+        elseif(place MATCHES "experiments/compare/|domain/profile/")
+            set(group third)
+        elseif(place MATCHES "apps/(cluster|external|prompt|report)/|domain/(numerics|theory)/")
+            set(group fourth)
+        elseif(place MATCHES "apps/commands/design")
+            set(group fifth)
+        elseif(place MATCHES "experiments/paper/")
+            set(group paper)
         elseif(place MATCHES "domain/(contact|accuracy|response|design|problem|asperities)/|experiments/")
             set(group first)
         else()
