@@ -127,6 +127,47 @@ class Contact(WithFolder):
         read = rugosa.read(self.folder / "scan.txt", spacing=0.004, **options)
         numpy.testing.assert_array_equal(rugosa.contact(read).pressure, csv["pressure_MPa"])
 
+    def test_every_keyword_is_its_flag_on_a_line_and_a_map(self):
+        self.save(rough_heights(64))
+        gaps = numpy.random.default_rng(3).normal(0, 1e-3, (12, 20))
+        self.save(gaps, "map.txt")
+        gaps[4, 7] = numpy.nan
+        self.save(gaps, "gaps.txt")
+        layered = dict(kernel="periodic", layer="0.05:10:0.3")
+        models = [{}, dict(kernel="periodic"), dict(modulus=70000), dict(modulus=2, poisson=0.4), dict(material="steel"),
+                  dict(steps=7), dict(reach=0.4), dict(tolerance=1e-4), dict(solver="nested"),
+                  layered, dict(layered, base="rigid"), dict(to_pressure=1e-3), dict(pressures="1e-4,1e-3"),
+                  dict(hardness=0.02), dict(accuracy=0.01), dict(resolution="on", steps=3), dict(threads=1)]
+        of_lines = [dict(datum=3), dict(kernel="strip", strip_width=0.02)]
+        scans = [dict(unit="um"), dict(detrend="mean"), dict(lambda_s=0.03), dict(lambda_c=0.15)]
+        of_maps = [dict(surface="gaps.txt", fill=True), dict(surface="gaps.txt", fill=True, max_filled=0.1)]
+        read_here = {"unit", "detrend", "lambda_s", "lambda_c", "outliers", "row", "fill", "max_filled"}
+        tried = set()
+
+        def compare(kind, file, spacing, options):
+            options = dict(options)
+            file = options.pop("surface", file)
+            flags = [f"--{name.replace('_', '-')}" + ("" if value is True else f"={value}")
+                     for name, value in options.items()]
+            csv = self.curve(f"--{kind}", file, "--spacing", str(spacing).strip("()").replace(", ", "x"), *flags)
+            of_file = {name: value for name, value in options.items() if name in read_here}
+            read = rugosa.read(self.folder / file, spacing=spacing, **of_file)
+            curve = rugosa.contact(read, **{name: value for name, value in options.items() if name not in of_file})
+            numpy.testing.assert_array_equal(curve.pressure, csv["pressure_MPa"], f"{kind} {options}")
+            numpy.testing.assert_array_equal(curve.contact_fraction, csv["contact_fraction"], f"{kind} {options}")
+            tried.update(options)
+
+        for options in models + of_lines + scans + [dict(outliers="remove")]:
+            compare("profile", "scan.txt", 0.004, options)
+        compare("profile", "map.txt", 0.004, dict(row=3))
+        for options in models + scans + of_maps:
+            compare("surface", "map.txt", (0.01, 0.02), options)
+        flags = {word[2:].replace("-", "_") for word in self.rugosa("contact", "--help").stdout.split()
+                 if word.startswith("--") and word[2:].replace("-", "").isalpha()}
+        others = {"genome", "profile", "surface", "out", "report", "force", "spacing", "nodes", "length", "help", "friction",
+                  "quiet", "verbose", "seed"}
+        self.assertEqual(flags - others - tried, set())
+
     def test_one_pressure_and_a_list_of_layers_are_taken(self):
         line = rough_heights(64)
         one = rugosa.contact(line, 0.01, pressures=[1e-3])

@@ -15,10 +15,10 @@ STIFFNESS = 0.3 + 0.8 * numpy.sqrt(PRESSURE / 1.6e-4)
 
 
 class Design(WithFolder):
-    def result(self, *words):
+    def result(self, *words, pipeline=PIPELINE):
         """The program's result for the same target."""
         (self.folder / "T.csv").write_text(rugosa.Target(PRESSURE, STIFFNESS).to_csv())
-        self.rugosa("design", "--target", "T.csv", "--pipeline", PIPELINE, "--pictures", "off", *words, "--out", "d",
+        self.rugosa("design", "--target", "T.csv", "--pipeline", pipeline, "--pictures", "off", *words, "--out", "d",
                     code=(0, 3))
         return json.loads((self.folder / "d/result.json").read_text())["variants"]["pipeline"]
 
@@ -30,6 +30,23 @@ class Design(WithFolder):
             self.assertEqual(design.similarity_worst, result["similarity_worst"])
             self.assertEqual((design.price, design.evaluations), (result["price"], result["curves"]))
             self.assertEqual(design.genome.to_dict()["series"], result["genome"]["series"])
+
+    def test_every_keyword_is_its_flag_on_a_line_and_a_map(self):
+        limits = [dict(shortest_wave=0.1), dict(max_slope=1e-3), dict(min_radius=20), dict(max_height=2e-4),
+                  dict(max_pressure=1.6e-4), dict(hurst_from=0.7, hurst_to=0.8), dict(gamma_from=1.6, gamma_to=1.7),
+                  dict(lambda_from=0.3, lambda_to=0.6), dict(ridges=3), dict(seed=4), dict(evaluations=40),
+                  dict(reach_similarity=0.9), dict(noise=1e-6, noise_length=0.1), dict(tilt=1e-5),
+                  dict(draws=20), dict(alternatives=2), dict(steps=12), dict(modulus=2), dict(reach=0.7)]
+        quick = "shape 2 | score | refine lm 2 | best 1"
+        of_lines = [dict(datum=2), dict(kernel="strip", strip_width=0.01), dict(kernel="periodic")]
+        for nodes, all_options in (("64", limits + of_lines), ("16x16", limits[::2])):
+            for options in all_options:
+                with self.subTest(nodes=nodes, **options):
+                    flags = [f"--{name.replace('_', '-')}={value}" for name, value in options.items()]
+                    result = self.result("--nodes", nodes, "--force", *flags, pipeline=quick)
+                    design = rugosa.design(PRESSURE, STIFFNESS, pipeline=quick, nodes=nodes, **options)
+                    self.assertEqual(design.genome.to_dict()["series"], result["genome"]["series"])
+                    self.assertEqual(design.similarity_worst, result["similarity_worst"])
 
     def test_the_tolerance_is_that_of_the_program(self):
         result = self.result("--nodes", 64, "--noise-length", 0.1, "--reach-similarity", 0.5)["tolerance"]
