@@ -130,7 +130,7 @@ int design(const Settings& settings, const std::string& line) {
             check_answer(run, limit, output.path(), progress);
             record(output.path());
         }
-        if (!run.interrupted && settings.choice("pictures") == 0) try {
+        if (settings.choice("pictures") == 0) try {
                 write_design_drawings(run, output.path());
             } catch (const rough::InputError& error) { // the page has no pictures then
                 say(std::string("note: ") + error.what());

@@ -154,9 +154,9 @@ int run_in_folder(const char* kind, const std::string& line, const Settings& set
                                [&](auto& keeper) { keeper.keep("stages", run.stages); }, checkpoint_interval(),
                                key_of(run.origin.inputs)};
     work(output, interrupt);
-    if (!run.interrupted && settings.choice("pictures") == 0) {
+    if (settings.choice("pictures") == 0) {
         constexpr double min_seconds = 3;
-        const double seconds = std::clamp(limit - run.clock.seconds(), min_seconds, 3600.);
+        const double seconds = std::clamp(limit - run.clock.seconds(), min_seconds, run.interrupted ? 10. : 3600.);
         rough::write_atomically(folder / "report.html", render(page_source(folder), {.seconds = seconds}));
     }
     if (!run.interrupted && (run.found.stopped.empty() || run.summary.found))

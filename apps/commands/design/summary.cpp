@@ -122,7 +122,7 @@ std::string not_requested(const DesignRun& run) {
     if (!run.setup.measured)
         return "all other quantities; at the last load " +
                percent(run.response.responses.front().contact_fraction.tail(1)[0]) + " of the nodes touch";
-    std::string all = run.unrequested_errors ? "" : "not verified, because the time did not suffice";
+    std::string all = run.unrequested_errors ? "" : "not verified";
     for (const auto& [name, share] : run.unrequested_errors.value_or(Shares()))
         join(all, name + " was not requested and is off by up to " + percent(share));
     return all;
@@ -140,7 +140,7 @@ std::string worst_case(const DesignRun& run) {
                       (best.is_verified() ? "less the estimated error of the last, " +
                                                 readable(best.both - best.worst, 3) + ", it is " + known(best.worst)
                                           : "so the verdict is not known");
-    if (!run.trust) return all + "; the time did not suffice to verify more";
+    if (!run.trust) return all + (run.interrupted ? "" : "; the time did not suffice to verify more");
     for (const rough::Check& check : run.trust->checks)
         if (check.decides || check.name.find("datum") != std::string::npos)
             join(all, "similarity " + readable(check.similarity, 4) + " with " + check.name);
@@ -168,14 +168,14 @@ std::string machine(const DesignRun& run) {
     }
     if (!missed.empty())
         join(all, "not reached: " + missed + ", because without errors the similarity is " +
-                      readable(tolerance.similarity, 4));
+                      readable(tolerance.similarity, 5) + " on the search grid");
     if (!tolerance.complete)
         join(all, "some errors are not known, because the time did not suffice; set more --seconds");
     return all;
 }
 
 std::string yielding(const DesignRun& run) {
-    if (!run.trust) return "not verified, because the time did not suffice";
+    if (!run.trust) return run.interrupted ? "not verified" : "not verified, because the time did not suffice";
     const std::optional<double> hardness = run.trust_options.hardness;
     const double peak = run.trust->peak_pressure;
     const Unit unit = pressure_unit(peak);

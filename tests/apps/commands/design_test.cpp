@@ -136,6 +136,7 @@ TEST_CASE("a design leaves a valid result in any time, and when interrupted") {
     CHECK(rugosa_stopped(0.5, "cut", drawn + " --variant plain --out cut", folder.path()).code == 130);
     CHECK(result_in(folder / "cut")["interrupted"] == true);
     CHECK(result_in(folder / "cut")["variants"]["plain"]["genome"]["series"].size() >= 1);
+    CHECK_THAT(rough::read_whole(folder / "cut/report.html"), Catch::Contains("the design was interrupted"));
 }
 
 TEST_CASE("a design from a database is better than its nearest curves") {
