@@ -36,15 +36,38 @@ def _plot_surface(surface, axes=None, **style):
     return axes
 
 
+def _answer(curve, quantity):
+    """The points of a quantity from which the similarity is computed, and the labels of its axes."""
+    pressure, displacement, fraction = "pressure / MPa", "displacement / mm", "contact fraction"
+    if quantity.endswith("stiffness"):
+        p, stiffness = curve.secant_stiffness()
+        if quantity == "interface_stiffness":
+            stiffness = 1 / (1 / stiffness - 1 / curve.full_stiffness)
+        return p, stiffness, pressure, quantity.replace("_", " ") + " / (MPa/mm)"
+    return {"area": (curve.pressure, curve.contact_fraction, pressure, fraction),
+            "area-displacement": (curve.displacement, curve.contact_fraction, displacement, fraction),
+            "load": (curve.displacement, curve.pressure, displacement, pressure)}[quantity]
+
+
 def _plot_design(design, axes=None):
-    """The secant stiffness of the answer and the targets; returns the axes."""
-    axes = _axes(axes)
-    for target in design.targets:
-        axes.plot(target.x, target.y, "o", label=f"target: {target.quantity}")
-    if any(target.quantity == "stiffness" for target in design.targets):
-        axes.plot(*design.curve.secant_stiffness(), label="answer")
-    axes.legend()
-    return axes
+    """The answer and the targets; returns the axes. If there are several quantities, axes are a list."""
+    quantities = list(dict.fromkeys(target.quantity for target in design.targets))
+    if axes is None:
+        import matplotlib.pyplot as plt
+        n = len(quantities)
+        axes = list(plt.subplots(1, n, squeeze=False, layout="constrained", figsize=(6.4 * n, 4.8))[1][0])
+    each = [axes] if hasattr(axes, "plot") else list(axes)
+    if len(each) != len(quantities):
+        raise ValueError(f"axes: {len(each)} were given; give one for each of {', '.join(quantities)}")
+    for quantity, one in zip(quantities, each):
+        x, y, x_label, y_label = _answer(design.curve, quantity)
+        for target in design.targets:
+            if target.quantity == quantity:
+                one.plot(target.x, target.y, "o", label="target")
+        one.plot(x, y, label="answer")
+        _axes(one, xlabel=x_label, ylabel=y_label).legend()
+        one.ticklabel_format(scilimits=(-3, 3))
+    return each[0] if len(each) == 1 else each
 
 
 def _picture(thing):

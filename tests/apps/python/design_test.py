@@ -91,6 +91,12 @@ class Design(WithFolder):
         self.assertIn("not verified", design._repr_html_())
         self.assertEqual(len(design.curve), 20)
 
+    def test_plot_shows_the_answer_for_every_quantity(self):
+        names = "stiffness", "area", "area-displacement", "load", "interface_stiffness"
+        targets = [rugosa.Target([1e-5, 1e-4], [0.1, 0.4], name) for name in names]
+        pictures = rugosa.design(target=targets, nodes=64, pipeline="shape 2 | score | best 1").plot()
+        self.assertEqual([(len(one.lines), bool(one.get_ylabel())) for one in pictures], [(2, True)] * 5)
+
     def test_interrupt_gives_the_best_so_far(self):
         begun = threading.Event()
         threading.Thread(target=lambda: (begun.wait(), os.kill(os.getpid(), signal.SIGINT))).start()
