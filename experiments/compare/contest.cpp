@@ -357,6 +357,7 @@ Findings findings_of(const Contest& contest) {
             verdict = add_surfaces(found, *group.results[0]);
         found.summary += (found.summary.empty() ? "" : "; ") + verdict;
     }
+    found.result["verdict"] = found.summary;
     return found;
 }
 

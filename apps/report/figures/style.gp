@@ -14,8 +14,8 @@ set linetype 1 lc rgb blue lw 2 pt 7 ps 0.6;    set linetype 2 lc rgb orange lw 
 set linetype 3 lc rgb green lw 2 pt 9 ps 0.6;   set linetype 4 lc rgb purple lw 2 pt 13 ps 0.6
 set linetype 5 lc rgb sky lw 2 pt 7 ps 0.6;     set linetype 6 lc rgb red lw 2 pt 5 ps 0.6
 colours = blue." ".orange." ".green." ".purple." ".sky." ".red
-do for [i = 7:12] { set linetype i lc rgb word(colours, i - 6) lw 2 dt 2 }
-set linetype cycle 12
+do for [i = 7:18] { set linetype i lc rgb word(colours, (i - 1) % 6 + 1) lw 2 dt 2 + 2 * (i > 12) }
+set linetype cycle 18
 set palette defined (0 "#352a87", 0.25 "#0f5cdd", 0.5 "#06a4ca", 0.75 "#b1be59", 1 "#f9fb0e") maxcolors 64
 # The unit in which a largest value m (MPa, mm) is a number below 1000, and its factor.
 pressure_factor(m) = m < 1e-3 ? 1e6 : m < 1 ? 1e3 : m < 1e3 ? 1 : 1e-3
