@@ -36,9 +36,9 @@ std::string in_words(const AccuracyReport& account) {
     if (account.solved_rows < account.rows) words << ", the other ones were interpolated within exact bounds";
     words << ". ";
     if (!account.used.empty()) {
-        words << account.used.size() << " chromosome(s) were modelled";
+        words << account.used.size() << " wavelength(s) were modelled";
         if (!account.dropped.empty())
-            words << ", " << account.dropped.size() << " shorter chromosome(s) were omitted: gaps change by "
+            words << ", " << account.dropped.size() << " shorter wavelength(s) were omitted: gaps change by "
                   << account.window.lowest << " to " << account.window.highest << " mm, the curve by at most "
                   << account.dropped_error;
         words << ". ";

@@ -184,9 +184,9 @@ std::vector<OutOfReach> out_of_reach(const CapSetup& setup) {
                          nearest = std::clamp(area, min, max),
                          bound = 1 - std::abs(misfit(target, k, nearest / nominal));
             if (bound < worst.bound)
-                worst = {line_of("area ", area, " mm2 under ", force, " N is ",
-                                 area < min ? "below the least, " : "above the largest, ", nearest, " mm2, of ",
-                                 setup.array.caps(), " caps"),
+                worst = {line_with_digits(5, "area ", area, " mm² under ", force, " N is ",
+                                          area < min ? "below the least, " : "above the largest, ", nearest,
+                                          " mm², of ", setup.array.caps(), " caps"),
                          {target.x[k]},
                          bound,
                          false};

@@ -103,7 +103,7 @@ Summary summary_of(const CapRun& run) {
                  percent(verified.force_error) + " of the largest force";
     for (const rough::HeightTolerance& one : run.tolerance)
         tolerated += (tolerated.empty() ? "errors of the heights that keep the law: " : ", ") +
-                     readable(1000 * one.rms) + " µm rms within " + percent(one.error);
+                     (one.rms > 0 ? readable(1000 * one.rms) + " µm rms" : "none") + " within " + percent(one.error);
     summary.facts = {
         {"errors", "Errors", errors},
         {"tolerance", "Tolerance", tolerated},
