@@ -156,16 +156,16 @@ class Labels {
         bool is_far; ///< whether a line is needed from the dot
     };
     Place place(double seconds, double error, const std::string& text) {
-        constexpr double letter = 6.9, tall = 15;
+        constexpr double letter = 6.9, tall = 15, gap = 2.9;
         const Point at = pixel(seconds, error);
-        const double wide = letter * static_cast<double>(text.size()) + 5; // with a gap
+        const double wide = letter * static_cast<double>(text.size()) + gap;
         Place best{seconds, error, 1, false};
         for (double away = dot + 3; away < width; away += away < 20 ? 7 : 14)
             for (int k = 0; k < 48; ++k) { // the right first; each label begins or ends at its place
                 const double angle = std::numbers::pi / 12 * (k % 4 > 1 ? -1 : 1) * ((k / 2 + 1) / 2);
                 const int left = (std::cos(angle) > -1e-9) == (k % 2 == 0) ? 1 : -1;
                 const Point to{at.x + away * std::cos(angle), at.y + away * std::sin(angle)};
-                const Box box{left > 0 ? to.x : to.x - wide, to.y - tall / 2, left > 0 ? to.x + wide : to.x,
+                const Box box{left > 0 ? to.x - gap : to.x - wide, to.y - tall / 2, left > 0 ? to.x + wide : to.x + gap,
                               to.y + tall / 2};
                 if (box.left < 0 || box.right > width || box.low < 0 || box.high > height ||
                     std::ranges::any_of(taken_, [&](const Box& other) { return box.meets(other); }))

@@ -1,7 +1,7 @@
 # Heights of an array of caps as colours, and the contact spots at the verified loads, each spot to scale.
 caps = tables."asperities.csv"; spots = tables."spots.csv"
 eval sized(400)
-set size ratio -1; unset grid; set key outside bottom center horizontal
+set size ratio -1; unset grid; set key outside bottom center horizontal height 1
 stats caps using "height_mm" nooutput
 factor = length_factor(STATS_max); lowest = factor * STATS_min
 set cblabel "Height (".length_unit(STATS_max).")" offset 0.5,0; set xlabel "x (mm)"; set ylabel "y (mm)"

@@ -7,7 +7,7 @@ stats file using "x_mm":shown nooutput
 largest = STATS_max_y > -STATS_min_y ? STATS_max_y : -STATS_min_y
 factor = is_height ? length_factor(largest) : pressure_factor(largest)
 set cblabel (is_height ? "Height below the highest point (".length_unit(largest) : \
-    "Pressure (".pressure_unit(largest)).")" offset 0.5,0
+    "Pressure (".pressure_unit(largest)).")" offset 0.8,0; set cbtics offset -0.7,0
 set xlabel "x (mm)"; set ylabel "y (mm)"
 # A node out of contact has an empty field. As an undefined number it keeps its place in the image. (strcol() of an
 # empty last field ends gnuplot 5.4.)
