@@ -185,8 +185,8 @@ std::vector<ChartScene> chart_scenes() {
                      }),
         random_scene("self-affine-line", "a periodic self-affine profile, H = 0.8, waves from L/32 to L/256", false,
                      [](Index nodes) { return self_affine(nodes, false, 1.0 / 32, 1.0 / 256, 1); }),
-        of_waves("mwm-smooth", "a smooth MWM profile, H = 1.2, gamma = 1.7, 8 waves", mwm(1.2, 1.7, 8)),
-        of_waves("mwm-rough", "a rough MWM profile, H = 0.6, gamma = 1.5, 11 waves", mwm(0.6, 1.5, 11)),
+        of_waves("mwm-smooth", "a smooth Weierstrass-Mandelbrot profile, H = 1.2, γ = 1.7, 8 waves", mwm(1.2, 1.7, 8)),
+        of_waves("mwm-rough", "a rough Weierstrass-Mandelbrot profile, H = 0.6, γ = 1.5, 11 waves", mwm(0.6, 1.5, 11)),
         of_waves("fractional-brownian", "a fractional-Brownian profile, H = 0.8, 64 waves",
                  rough::brownian_waves(longest_wave, 0.05, 0.8, 64)),
         exact_scene(
