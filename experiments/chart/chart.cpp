@@ -145,7 +145,7 @@ ChartReference refined_reference(const ChartScene& scene, const rough::ContactOp
                 return root_mean_square(differences(scene, curves[grid].*value, curves[grid + 1].*value));
             };
             const auto remaining = [&](auto value) {
-                return remaining_error(change(n - 3, value), change(n - 2, value));
+                return remaining_error(change(n - 3, value), change(n - 2, value), scene.is_map ? 0.5 : 0.25);
             };
             reference.floor_stiffness = remaining(&ChartCurve::stiffness);
             reference.floor_contact = remaining(&ChartCurve::contact_fraction);
@@ -164,8 +164,8 @@ ChartReference exact_reference(const ChartScene& scene) {
     return {curve_of(steps, steps.size())};
 }
 
-double remaining_error(double before, double last) {
-    const double ratio = before > 0 ? std::clamp(last / before, 0.125, 0.75) : 0.75;
+double remaining_error(double before, double last, double min_ratio) {
+    const double ratio = before > 0 ? std::clamp(last / before, min_ratio, 0.75) : 0.75;
     return last * ratio / (1 - ratio);
 }
 

@@ -43,8 +43,8 @@ struct ChartReference {
 };
 ChartReference exact_reference(const ChartScene& scene); ///< that of an exact solution
 /// The error beyond the finest of three grids, from the changes `before` and `last`. The ratio q is taken as
-/// at least 1/8 and at most 3/4.
-double remaining_error(double before, double last);
+/// at least `min_ratio`, that of errors in proportion to the node spacing, and at most 3/4.
+double remaining_error(double before, double last, double min_ratio);
 
 /// A model: a theory or a solver on a grid, at some of the loads.
 struct ChartSetting {

@@ -31,10 +31,10 @@ struct MadeUp {
 } // namespace
 
 TEST_CASE("the error beyond the finest of three grids is the sum of a geometric series") {
-    CHECK(remaining_error(0.5, 0.25) == Approx(0.25)); // errors of 1, 1/2 and 1/4
-    CHECK(remaining_error(0.1, 0.2) == Approx(0.6));   // changes that do not shrink
-    CHECK(remaining_error(1, 0.01) == Approx(0.01 / 7));
-    CHECK(remaining_error(0, 0) == 0);
+    CHECK(remaining_error(0.5, 0.25, 0.25) == Approx(0.25)); // errors of 1, 1/2 and 1/4
+    CHECK(remaining_error(0.1, 0.2, 0.25) == Approx(0.6));   // changes that do not shrink
+    CHECK(remaining_error(1, 0.01, 0.25) == Approx(0.01 / 3));
+    CHECK(remaining_error(0, 0, 0.25) == 0);
 }
 
 TEST_CASE("an error is measured with the reference's, and a load without an answer counts as 100 %") {
