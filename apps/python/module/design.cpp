@@ -149,7 +149,8 @@ py::dict trust_of(const Design& design, double noise, double tilt, std::optional
     return without_units(app::trust_json(trust));
 }
 
-constexpr const char* help_of_design = R"(Finds a rough profile, or with nodes=(NX, NY) a map, whose response matches a target.
+constexpr const char* help_of_design =
+    R"(Finds a rough profile, or with nodes=(NX, NY) a map, whose response matches a target.
 
 target_pressure (MPa) with target_stiffness (MPa/mm), target_interface_stiffness or
 target_contact_fraction; or target=Target, list of Targets or file; or like=Profile, whose stiffness and

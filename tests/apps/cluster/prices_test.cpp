@@ -51,7 +51,8 @@ DesignSetup setup_for(bool is_map, const std::string& variant, bool free_amplitu
     DesignSetup setup = testing::drawn(is_map ? 16 : 48, is_map);
     setup.model.loading.steps = 5;
     setup.errors.noise = setup.errors.tilt = 1e-7;
-    if (variant == "like" || variant == "maps-like") setup.measured = sample(shaped_start(setup, ga::Stream(7)), setup.model.grid);
+    if (variant == "like" || variant == "maps-like")
+        setup.measured = sample(shaped_start(setup, ga::Stream(7)), setup.model.grid);
     if (variant == "mcco" || variant == "nsga2")
         setup.targets.push_back(target_at(Quantity::area_at_pressure, "second", PointPlacement{}.up_to(testing::p_max),
                                           [](double p) { return 0.3 * p / testing::p_max; }));
@@ -88,7 +89,8 @@ TEST_CASE("the price of each variant is that of the curves that were solved") {
             for (const int threads : {1, 3}) {
                 // On a map each kind of stage once, because its starts take seconds.
                 if (!is_map && variant == "maps-like") continue;
-                if (is_map && (threads == 1 || !std::set<std::string>{"maps", "maps-like", "made", "cco"}.contains(variant)))
+                if (is_map &&
+                    (threads == 1 || !std::set<std::string>{"maps", "maps-like", "made", "cco"}.contains(variant)))
                     continue;
                 DYNAMIC_SECTION(variant << (is_map ? ", map, " : ", line, ") << threads) {
                     const Paid paid = run_of(variant, setup_for(is_map, variant, false),
