@@ -145,7 +145,8 @@ struct AfterSeconds : StoppingRule {
     }
 };
 
-/// Ends when a feasible individual reaches a fitness, in the direction of its objective.
+/// Ends when a feasible individual reaches a fitness, in the direction of its objective. Levels of `epsilon` do
+/// not make an individual feasible here.
 struct AtFitness : StoppingRule {
     double value = 0; ///< fitness, in the objective's units
 
@@ -157,7 +158,8 @@ struct AtFitness : StoppingRule {
     bool operator()(const BlockProgress<G>& now, Numbers&) const {
         return std::ranges::any_of(now.population, [&](const auto& individual) {
             const Fitness& f = individual.fitness;
-            return f.known() && f.feasible() && (f.minimises() ? f.value() <= value : f.value() >= value);
+            return f.known() && f.feasible() && f.violations().empty() &&
+                   (f.minimises() ? f.value() <= value : f.value() >= value);
         });
     }
 };
@@ -192,7 +194,7 @@ struct AtConvergence : StoppingRule {
         Point lowest, highest;
         for (const auto& individual : now.population) {
             const Fitness& fitness = individual.fitness;
-            if (!fitness.known() || !fitness.feasible()) return false;
+            if (!fitness.known() || !fitness.feasible() || !fitness.violations().empty()) return false;
             const Point values = fitness.several() ? fitness.values() : Point{fitness.merit()};
             if (lowest.empty()) lowest = highest = values;
             for (std::size_t k = 0; k < values.size(); ++k) {
