@@ -178,7 +178,7 @@ bool has_gradient(const P& problem) {
 /// Optional: the violation of the problem's constraints by an outcome, as one number or one per constraint. A
 /// number is 0 or less if its constraints hold. Individuals are then compared by Deb's rules (2000). Feasible
 /// ones are better than infeasible ones. Infeasible ones are compared by the sum of violations, feasible ones
-/// by the fitness.
+/// by the fitness. An equality h = 0 with a tolerance is the number abs(h) - tolerance.
 template <class P>
 concept Constrained = requires(const P& problem, const typename P::Outcome& outcome) {
     requires std::convertible_to<decltype(problem.violation(outcome)), double> ||

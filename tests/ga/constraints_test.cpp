@@ -17,6 +17,20 @@ Reals ring() {
     return problem;
 }
 
+/// g06 of CEC 2006 (Liang et al.): a crescent between two circles, at most 0.1 wide. Its genes are scaled to
+/// -5 to 5. The minimum is -6961.81388.
+Reals crescent() {
+    Reals problem;
+    problem.n = 2, problem.lower = -5, problem.upper = 5;
+    problem.f = [](const Vector& x) { return Vector{13 + 8.7 * (x[0] + 5), 10 * (x[1] + 5)}; };
+    problem.list = {{"cubes", [](const Vector& y) { return std::pow(y[0] - 10, 3) + std::pow(y[1] - 20, 3); }, true}};
+    problem.excess = [](const Vector& y) {
+        const double below = std::pow(y[1] - 5, 2);
+        return Vector{100 - std::pow(y[0] - 5, 2) - below, std::pow(y[0] - 6, 2) + below - 82.81};
+    };
+    return problem;
+}
+
 const Name sum_of("sum");
 
 } // namespace
@@ -57,6 +71,17 @@ TEST_CASE("the epsilon rule finds a thin feasible set more often than Deb's rule
     }
     CHECK(by_levels > by_rules);
     CHECK(by_levels >= 8);
+}
+
+TEST_CASE("levels fall before the population converges outside the feasible set") {
+    int solved = 0;
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+        const auto result = run("sample 36 | score | until fitness -6961.8137 { l-shade evaluations=20000 | score | "
+                                "epsilon 300 | duel }",
+                                crescent(), {}, {.seed = seed, .budget = {.evaluations = 20000}});
+        solved += result.best->fitness.feasible() && result.best->value() < -6961.8137;
+    }
+    CHECK(solved >= 4); // 0 with levels that depend only on time
 }
 
 TEST_CASE("levels of the epsilon rule end with their block, and with a run that is stopped") {

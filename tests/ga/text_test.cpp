@@ -237,6 +237,6 @@ TEST_CASE("operators have the default parameters of their publications") {
                                             {"cma-es", "0.3"},                          // Hansen 2016
                                             {"de", "rand F=0.5 CR=0.9 crossing=bin"},   // Storn and Price 1997
                                             {"l-shade", "memory=6 archive=2.6 p=0.11"}, // Tanabe and Fukunaga 2014
-                                            {"epsilon 9", "share=0.2 power=5"}})        // Takahama and Sakai 2006
+                                            {"epsilon 9", "share=0.5 power=5"}})        // Takahama and Sakai 2006
         CHECK(reals(name).text() == reals(name + " " + published).text());
 }
