@@ -111,6 +111,13 @@ concept HasFinalGenome = requires(const P& problem, const typename P::Genome& ge
     { problem.final_genome(genome, outcome) } -> std::same_as<typename P::Genome>;
 };
 
+/// Optional: the genome moved into the feasible set, or part of the way. The engine calls `repair` before it
+/// evaluates a genome, and keeps the result. It must be pure, must not throw, and must not change its results.
+template <class P>
+concept Repairs = requires(const P& problem, const typename P::Genome& genome) {
+    { problem.repair(genome) } -> std::same_as<typename P::Genome>;
+};
+
 /// Optional: whether operators can work with a genome from outside the run, e.g. by its length and numbers.
 template <class P>
 concept ValidatesGenomes = requires(const P& problem, const typename P::Genome& genome) {
@@ -178,7 +185,7 @@ bool has_gradient(const P& problem) {
 /// Optional: the violation of the problem's constraints by an outcome, as one number or one per constraint. A
 /// number is 0 or less if its constraints hold. Individuals are then compared by Deb's rules (2000). Feasible
 /// ones are better than infeasible ones. Infeasible ones are compared by the sum of violations, feasible ones
-/// by the fitness. An equality h = 0 with a tolerance is the number abs(h) - tolerance.
+/// by the fitness. An equality h = 0 with a tolerance is the number |h| - tolerance.
 template <class P>
 concept Constrained = requires(const P& problem, const typename P::Outcome& outcome) {
     requires std::convertible_to<decltype(problem.violation(outcome)), double> ||
@@ -345,6 +352,7 @@ constexpr bool members_fit() {
                                       " (ga/problem/problem.hpp) asks for");
     GA_MEMBER_FITS(key, Keyed)
     GA_MEMBER_FITS(final_genome, HasFinalGenome)
+    GA_MEMBER_FITS(repair, Repairs)
     GA_MEMBER_FITS(valid, ValidatesGenomes)
     GA_MEMBER_FITS(valid_outcome, ValidatesOutcomes)
     GA_MEMBER_FITS(genes, ConvertsGenes)

@@ -78,7 +78,9 @@ class Search {
     Genome at(const Eigen::VectorXd& x) const {
         std::vector<double> moved = genes_;
         as_vector(moved)(places_) = x;
-        return with_genes(problem_, individual_.genome, std::move(moved));
+        Genome genome = with_genes(problem_, individual_.genome, std::move(moved));
+        if constexpr (Repairs<P>) return problem_.repair(genome);
+        return genome;
     }
     const auto& objective() const { return problem_.objectives()[objective_]; }
 

@@ -116,6 +116,7 @@ class Context {
         requested_.clear();
         for (auto& individual : population)
             if (wanted(std::as_const(individual))) {
+                if constexpr (Repairs<P>) individual.genome = problem().repair(individual.genome);
                 request_.outcomes.push_back(
                     {&individual.genome, !(individual.fitness.levels() & bit_of(level)), 0, level});
                 requested_.push_back(&individual);
@@ -152,6 +153,7 @@ class Context {
             const Fitness& known = individual.fitness;
             const std::size_t had = known.known(names_[which]) ? known.replicates() : 0;
             if (had >= std::max(n, limit) || known.has_failed()) return;
+            if constexpr (Repairs<P>) individual.genome = problem().repair(individual.genome);
             firsts.push_back(request_.outcomes.size());
             requested_.push_back(&individual);
             for (std::size_t r = 0; r < std::min(had + n, std::max(n, limit)); ++r)

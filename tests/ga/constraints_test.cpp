@@ -84,6 +84,28 @@ TEST_CASE("levels fall before the population converges outside the feasible set"
     CHECK(solved >= 4); // 0 with levels that depend only on time
 }
 
+TEST_CASE("a problem repairs each genome before its evaluation, in resumed runs too") {
+    Reals problem = minimum(3, functions::sphere);
+    problem.mend = [](Vector x) {
+        for (double& gene : x) gene = std::round(gene - 0.5) + 0.5;
+        return x;
+    };
+    std::atomic<int> others = 0;
+    problem.f = [&](const Vector& x) {
+        others += x != problem.mend(x);
+        return Vector{functions::sphere(x)};
+    };
+    const std::string pipeline =
+        "sample 12 | score | repeat 20 { de | score | duel } | refine nlopt LN_COBYLA 30 | best 3";
+    const auto whole = run(pipeline, problem);
+    CHECK(whole.best->value() == 0.75);
+    for (const auto& each : whole.population) CHECK(each.genome == problem.mend(each.genome));
+    CHECK(bits_of(in_pieces(pipeline, problem, 50)) == bits_of(whole));
+    problem.noise = 1;
+    run("sample 12 | average 2 | repeat 5 { mutate 0.5 | average 2 limit=6 | plus }", problem);
+    CHECK(others == 0);
+}
+
 TEST_CASE("levels of the epsilon rule end with their block, and with a run that is stopped") {
     const auto strict_again = [](const auto& result) {
         for (const auto& each : result.population) {

@@ -53,6 +53,7 @@ struct Reals {
     std::function<Vector(const Genome&)> slope = [](const Genome&) { return Vector(); };
     std::function<std::vector<ga::Variable>(const Genome&)> box = {}; ///< in place of n, lower and upper
     double noise = 0;                                                 ///< standard deviation of each replicate
+    std::function<Genome(const Genome&)> mend = [](const Genome& x) { return x; };
 
     Outcome evaluate(const Genome& x) const { return noise == 0 ? f(x) : evaluate(x, 0); }
     Outcome evaluate(const Genome& x, std::uint64_t replicate) const {
@@ -74,6 +75,7 @@ struct Reals {
         return x;
     }
     Vector violation(const Outcome& outcome) const { return excess(outcome); }
+    Genome repair(const Genome& x) const { return mend(x); }
     Vector gradient(const Genome& x, const std::string&) const { return slope(x); }
     const std::vector<ga::Descriptor<Genome>>& descriptors() const { return features; }
 };
