@@ -15,6 +15,7 @@ const std::map<std::string, Contestants>& usual_contestants() {
         for (auto row = rows.begin() + 1; row != rows.end(); ++row)
             all[row->at(0)].emplace_back(row->at(1), row->at(2));
         for (const std::string& name : pagmo_variants()) all["real"].emplace_back(name, name);
+        for (const std::string& name : pagmo_variants(true)) all["fronts"].emplace_back(name, name);
         return all;
     }();
     return all;
@@ -98,8 +99,11 @@ Benchmark bbob_benchmark(int dimension, int function) {
 std::vector<Benchmark> fixed_benchmarks() {
     std::vector<Benchmark> all;
     for (const std::string& name : front_problems())
-        all.push_back(benchmark(name, name.substr(0, name.size() - 1), "fronts", precisions(1e1, 1e-4),
+        all.push_back(benchmark(name, name.substr(0, name.find_first_of("1234567")), "fronts", precisions(1e1, 1e-4),
                                 [name](int) { return front_instance(name); }));
+    for (const std::string& name : constrained_problems())
+        all.push_back(benchmark(name, "cec2006", "constrained", precisions(1e2, 1e-4),
+                                [name](int) { return constrained_instance(name); }));
     const auto seed = [](int number) { return static_cast<std::uint64_t>(number); };
     for (const std::size_t things : {50u, 200u})
         all.push_back(benchmark("knapsack" + std::to_string(things), "knapsack", "bits", precisions(1, 1e-4),
@@ -164,7 +168,7 @@ std::vector<Benchmark> benchmarks(const std::vector<std::string>& names,
             for (const Benchmark& each : fixed) known.insert(known.end(), {each.name, each.group});
             rough::refuse("\"", name,
                           "\" is not a problem; give bbobN, bbobN-F (N of 2 to 40, F of 1 to 24), "
-                          "zdt, dtlz, knapsack, tsp, instances, a problem of theirs or roughness",
+                          "zdt, dtlz, cec2006, knapsack, tsp, instances, a problem of theirs or roughness",
                           ga::suggestion(name, known));
         }
     }

@@ -181,7 +181,7 @@ long reached(const Reached& run) {
 
 /// Adds the group's problems with all runs.
 void add_problems(Findings& found, const Group& group, const Contest& contest) {
-    Csv &all = found.table("runs.csv", "problem,variant,seed,evaluations,precision,targets_reached,area"),
+    Csv &all = found.table("runs.csv", "problem,variant,seed,evaluations,precision,targets_reached,area,hypervolume"),
         &ert = found.table("ert.csv", "problem,variant,precision,expected_runtime,successes,runs", 6);
     for (std::size_t k = 0; k < group.results.size(); ++k) {
         const ProblemResults& results = *group.results[k];
@@ -204,12 +204,14 @@ void add_problems(Findings& found, const Group& group, const Contest& contest) {
                    {"interval", {interval.lower, interval.upper}},
                    {"expected_runtime", expected_runtime(runs, targets.size() - 1)},
                    {"successes", successes(runs, targets.size() - 1)}};
+            if (results.problem.kind == "fronts")
+                one["median_hypervolume"] = rough::median(rough::column(runs, &Reached::hypervolume));
             for (std::size_t s = 0; s < runs.size(); ++s) {
                 one["runs"].push_back({{"evaluations", runs[s].spent},
                                        {"precision", runs[s].precision},
                                        {"evaluations_to_targets", runs[s].evaluations}});
                 all.row(problem, name, contest.origin.seed + s, runs[s].spent, runs[s].precision, reached(runs[s]),
-                        group.areas[k][v][s]);
+                        group.areas[k][v][s], runs[s].hypervolume);
             }
             for (std::size_t t = 0; t < targets.size(); ++t)
                 if (is_listed(targets, t))

@@ -17,7 +17,7 @@ std::vector<Setting> compare_settings() {
         {"compare.problems", "", std::string("separated by commas [") + usual_problems + "]"},
         {"compare.variants", "",
          "NAME=PIPELINE or names of usual variants, separated by commas, for every problem [sections real, "
-         "fronts, bits, tours and surfaces of the file, or the usual variants]"},
+         "fronts, constrained, bits, tours and surfaces of the file, or the usual variants]"},
         ga::whole("compare.seeds", "", 1, "runs of each variant on each problem [15]").up_to(1000),
         {"compare.budget", "", "evaluations of a run: 20000, or 1e4*D of a genome of D genes [1e4*D]"},
         ga::whole("compare.curves", "1000", 1,

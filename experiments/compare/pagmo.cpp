@@ -5,6 +5,8 @@
 #include <pagmo/algorithm.hpp>
 #include <pagmo/algorithms/cmaes.hpp>
 #include <pagmo/algorithms/de.hpp>
+#include <pagmo/algorithms/moead.hpp>
+#include <pagmo/algorithms/nsga2.hpp>
 #include <pagmo/algorithms/sade.hpp>
 #include <pagmo/algorithms/sga.hpp>
 #include <pagmo/population.hpp>
@@ -14,19 +16,20 @@
 namespace app {
 
 void expect_pagmos(const RealInstance& instance, const std::string& variant) {
-    const std::vector<std::string>& names = pagmo_variants();
+    const std::vector<std::string>& names = pagmo_variants(instance.objectives > 1);
     if (names.empty())
         throw ga::UsageError("\"" + variant +
                              "\" needs a build with libpagmo; install Debian's libpagmo-dev and build again");
+    if (instance.constrained)
+        throw ga::UsageError("\"" + variant + "\" cannot search under constraints; give a pipeline");
     if (std::ranges::find(names, variant) == names.end())
-        throw ga::UsageError("\"" + variant + "\" is not an algorithm of libpagmo" + ga::suggestion(variant, names));
-    if (instance.objectives > 1)
-        throw ga::UsageError("\"" + variant + "\" cannot search for several objectives; give a pipeline");
+        throw ga::UsageError("\"" + variant + "\" is not an algorithm of libpagmo for " +
+                             std::to_string(instance.objectives) + " objectives" + ga::suggestion(variant, names));
 }
 
 #ifndef RUGOSA_PAGMO
 
-const std::vector<std::string>& pagmo_variants() {
+const std::vector<std::string>& pagmo_variants(bool) {
     static const std::vector<std::string> none;
     return none;
 }
@@ -70,6 +73,7 @@ struct Measured {
         }
         return bounds;
     }
+    pagmo::vector_double::size_type get_nobj() const { return run ? run->instance.objectives : 1; }
     template <class Archive>
     void serialize(Archive&, unsigned) {}
 };
@@ -91,9 +95,10 @@ pagmo::algorithm algorithm_of(const std::string& variant, unsigned seed) {
 
 } // namespace
 
-const std::vector<std::string>& pagmo_variants() {
-    static const std::vector<std::string> all{"pagmo:cmaes", bounded_cmaes, "pagmo:de", "pagmo:sade", "pagmo:sga"};
-    return all;
+const std::vector<std::string>& pagmo_variants(bool several) {
+    static const std::vector<std::string> all{"pagmo:cmaes", bounded_cmaes, "pagmo:de", "pagmo:sade", "pagmo:sga"},
+        of_several{"pagmo:nsga2", "pagmo:moead"};
+    return several ? of_several : all;
 }
 
 Reached raced_by_pagmo(const RealInstance& instance, const std::string& variant, const std::vector<double>& targets,
@@ -104,6 +109,20 @@ Reached raced_by_pagmo(const RealInstance& instance, const std::string& variant,
                       : variant == "pagmo:sga" ? std::size_t{40}
                                                : std::size_t{20};
     try {
+        if (instance.objectives > 1) {
+            constexpr unsigned individuals = 100;
+            const auto seed = static_cast<unsigned>(attempt.seed);
+            const auto generations = static_cast<unsigned>(std::max(2L, attempt.budget / individuals) - 1);
+            const pagmo::algorithm algorithm =
+                variant == "pagmo:nsga2" ? pagmo::algorithm(pagmo::nsga2(generations, 0.95, 10, 0.01, 50, seed))
+                                         : pagmo::algorithm(pagmo::moead(generations, "low discrepancy", "tchebycheff",
+                                                                         20, 1, 0.5, 20, 0.9, 2, true, seed));
+            const auto last =
+                algorithm.evolve(pagmo::population(pagmo::problem(Measured{&run}), individuals, seed)).get_f();
+            Reached reached = run.tally.reached();
+            reached.hypervolume = hypervolume(instance, last);
+            return reached;
+        }
         for (std::uint64_t start = 0;; ++start) {
             const auto seed = static_cast<unsigned>(ga::fold(attempt.seed, start));
             algorithm_of(variant, seed).evolve(pagmo::population(pagmo::problem(Measured{&run}), size, seed));

@@ -1,6 +1,7 @@
 #include "experiments/compare/race.hpp"
 
 #include "apps/external/problem.hpp"
+#include "ga/pareto/pareto.hpp"
 
 #include <boost/algorithm/string/join.hpp>
 #include <boost/algorithm/string/replace.hpp>
@@ -29,6 +30,19 @@ double Nearness::after(const Evaluation& value) {
     }
     return nearest_;
 }
+
+template <class G>
+double hypervolume(const Instance<G>& instance, std::vector<ga::Point> points) {
+    if (!instance.front) return NAN;
+    constexpr double reference = 1.1;
+    for (std::size_t k = 0; k < instance.objectives; ++k) {
+        const auto [low, high] = std::ranges::minmax(*instance.front, {}, [k](const ga::Point& f) { return f[k]; });
+        const double best = low[k], range = high[k] - best;
+        for (ga::Point& point : points) point[k] = (best - point[k]) / range;
+    }
+    return ga::hypervolume(std::move(points), ga::Point(instance.objectives, -reference));
+}
+template double hypervolume(const RealInstance&, std::vector<ga::Point>);
 
 Tally::Tally(const std::vector<double>& targets, const Attempt& attempt) : targets_(targets), stop_(attempt.stop) {
     reached_.evaluations.assign(targets.size(), NAN);
@@ -107,15 +121,23 @@ Reached raced(const Instance<G>& instance, const std::string& variant, const std
     Tallied<G> evaluator(instance, tally);
     ga::RunOptions options;
     options.memory_bytes = std::size_t{1} << 26;
+    std::vector<ga::Point> last;
     long left = attempt.budget;
     for (std::uint64_t start = 0; left > 0 && !tally.ended(); ++start) {
         options.seed = ga::fold(attempt.seed, start);
         options.budget = {left, std::numeric_limits<double>::infinity(), &tally.ended()};
         const auto found = ga::run_by(evaluator, stage, problem, {}, options);
+        if (instance.front) {
+            last.clear();
+            for (const auto& each : found.population)
+                if (each.fitness.several()) last.push_back(instance.evaluate(each.genome).objectives);
+        }
         if (found.counters.requested == 0 || !found.stopped.empty()) break;
         left -= found.counters.requested;
     }
-    return tally.reached();
+    Reached reached = tally.reached();
+    reached.hypervolume = hypervolume(instance, std::move(last));
+    return reached;
 }
 
 template Reached raced(const RealInstance&, const std::string&, const std::vector<double>&, const Attempt&);

@@ -16,6 +16,7 @@ struct Instance {
     std::vector<ga::Variable> box = {}; ///< ranges of real genes
     std::size_t objectives = 1;
     double best = 0, scale = 1; ///< for one objective: precision is (f - best) / scale
+    bool constrained = false;   ///< whether evaluations have violations
     /// For several objectives: precision is IGD+ from these points of the true front.
     std::shared_ptr<const std::vector<ga::Point>> front = {};
 };
@@ -44,6 +45,11 @@ class Nearness {
     double nearest_ = HUGE_VAL;
 };
 
+/// The hypervolume of points when the true front's objectives have the range 0 to 1. The reference point is at
+/// 1.1 in each. NaN without a front.
+template <class G>
+double hypervolume(const Instance<G>& instance, std::vector<ga::Point> points);
+
 /// A run's seed and its limits.
 struct Attempt {
     std::uint64_t seed = 1;
@@ -62,9 +68,10 @@ struct Reached {
     /// The designed surface of a run on roughness, with the keys of a variant in result.json: its
     /// similarities, its cost and its genome. A map also has `last_displacement_mm`. Null on other problems.
     nlohmann::json surface = {};
+    double hypervolume = NAN; ///< see app::hypervolume, of the last population
 };
 /// @cond
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Reached, evaluations, precision, spent, found, surface)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Reached, evaluations, precision, spent, found, surface, hypervolume)
 /// @endcond
 
 /// Records when a run reaches its targets.
@@ -99,16 +106,17 @@ Reached raced(const Instance<G>& instance, const std::string& variant, const std
 template <class G>
 void expect_fits(const Instance<G>& instance, const std::string& variant);
 
-/// Algorithms of libpagmo: pagmo:cmaes, pagmo:cmaes-bounded, pagmo:de, pagmo:sade and pagmo:sga. Empty if
-/// rugosa was built without it.
-const std::vector<std::string>& pagmo_variants();
+/// Algorithms of libpagmo: pagmo:cmaes, pagmo:cmaes-bounded, pagmo:de, pagmo:sade and pagmo:sga, or for
+/// several objectives pagmo:nsga2 and pagmo:moead. Empty if rugosa was built without it.
+const std::vector<std::string>& pagmo_variants(bool several = false);
 
-/// Throws ga::UsageError on a name that is not in pagmo_variants, and on several objectives.
+/// Throws ga::UsageError on a name that is not in pagmo_variants for these objectives, and on constraints.
 void expect_pagmos(const RealInstance& instance, const std::string& variant);
 
 /// Runs an algorithm of libpagmo with its default parameters on an instance. It ends by tolerances of 1e-12
 /// and then restarts. The population is 40 for sga and 20 for de and sade. For cmaes it is 4 + 3 ln n
-/// (Hansen), at least 5.
+/// (Hansen), at least 5. For several objectives it is 100, and moead draws its weights from a sequence of low
+/// discrepancy.
 Reached raced_by_pagmo(const RealInstance& instance, const std::string& variant, const std::vector<double>& targets,
                        const Attempt& attempt);
 

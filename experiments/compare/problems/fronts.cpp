@@ -4,6 +4,7 @@
 
 #include <map>
 #include <numbers>
+#include <numeric>
 
 namespace app {
 
@@ -53,10 +54,16 @@ Evaluation dtlz1(const Reals& x) {
     const double size = 0.5 * (1 + g);
     return {{size * x[0] * x[1], size * x[0] * (1 - x[1]), size * (1 - x[0])}};
 }
+template <std::size_t objectives>
 Evaluation dtlz2(const Reals& x) {
-    const double g = sum_from(2, x, [](double xi) { return (xi - 0.5) * (xi - 0.5); });
-    const double a = x[0] * pi / 2, b = x[1] * pi / 2;
-    return {{(1 + g) * std::cos(a) * std::cos(b), (1 + g) * std::cos(a) * std::sin(b), (1 + g) * std::sin(a)}};
+    constexpr std::size_t last = objectives - 1;
+    const double g = sum_from(last, x, [](double xi) { return (xi - 0.5) * (xi - 0.5); });
+    Evaluation found{Reals(objectives, 1 + g)};
+    for (std::size_t k = 0; k < objectives; ++k) {
+        for (std::size_t i = 0; i < last - k; ++i) found.objectives[k] *= std::cos(x[i] * pi / 2);
+        if (k > 0) found.objectives[k] *= std::sin(x[last - k] * pi / 2);
+    }
+    return found;
 }
 Evaluation dtlz7(const Reals& x) {
     double g = 1;
@@ -66,8 +73,9 @@ Evaluation dtlz7(const Reals& x) {
     return {{x[0], x[1], (1 + g) * h}};
 }
 
-constexpr int along = 500;         // points of a curve
-constexpr std::size_t across = 31; // divisions of an edge of a surface: 528 points
+constexpr int along = 500;             // points of a curve
+constexpr std::size_t across = 31;     // divisions of an edge of a surface: 528 points
+constexpr std::size_t across_five = 8; // with five objectives: 495 points
 
 /// The points that no other one dominates; lower is better.
 Points undominated(const Points& points) {
@@ -84,9 +92,9 @@ Points curve(double (*f2)(double, double), double from = 0) {
     }
     return undominated(points);
 }
-/// Points of the triangle of three shares whose sum is 1, each over its size.
-Points shares(double (*size)(const ga::Point&)) {
-    Points points = ga::reference_directions(3, across, 0);
+/// Points of the simplex of shares whose sum is 1, each over its size.
+Points shares(double (*size)(const ga::Point&), std::size_t objectives = 3, std::size_t divisions = across) {
+    Points points = ga::reference_directions(objectives, divisions, 0);
     for (ga::Point& point : points) {
         const double divisor = size(point);
         for (double& f : point) f /= divisor;
@@ -96,9 +104,7 @@ Points shares(double (*size)(const ga::Point&)) {
 Points plane() {
     return shares([](const ga::Point&) { return 2.0; });
 }
-Points sphere() {
-    return shares([](const ga::Point& f) { return std::hypot(f[0], f[1], f[2]); });
-}
+double norm_of(const ga::Point& f) { return std::sqrt(std::inner_product(f.begin(), f.end(), f.begin(), 0.0)); }
 Points four_pieces() {
     Points points;
     for (int i = 0; i < 50; ++i)
@@ -114,7 +120,8 @@ const std::map<std::string, FrontProblem>& problems() {
         {"zdt4", {10, 2, zdt4, [] { return curve(convex); }, 5}},
         {"zdt6", {10, 2, zdt6, [] { return curve(concave, 0.2807753191); }}}, // the least f1
         {"dtlz1", {7, 3, dtlz1, plane}},
-        {"dtlz2", {12, 3, dtlz2, sphere}},
+        {"dtlz2", {12, 3, dtlz2<3>, [] { return shares(norm_of); }}},
+        {"dtlz2-5", {14, 5, dtlz2<5>, [] { return shares(norm_of, 5, across_five); }}},
         {"dtlz7", {22, 3, dtlz7, four_pieces}},
     };
     return all;

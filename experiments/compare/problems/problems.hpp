@@ -72,10 +72,17 @@ TourInstance job_shop_instance();
 
 /// Names of test problems with a known front, with the numbers of genes of their papers. Two objectives: zdt1
 /// to zdt4 and zdt6 (Zitzler, Deb and Thiele 2000). Three: dtlz1, dtlz2 and dtlz7 (Deb, Thiele, Laumanns and
-/// Zitzler 2005).
+/// Zitzler 2005). dtlz2-5 is dtlz2 with five objectives.
 std::vector<std::string> front_problems();
 
 /// One of them by name.
 RealInstance front_instance(const std::string& name);
+
+/// Names of the functions g01 to g11 of CEC 2006 (Liang et al. 2006, Problem definitions and evaluation
+/// criteria for the CEC 2006 special session on constrained real-parameter optimization).
+std::vector<std::string> constrained_problems();
+
+/// One of them by name. An equality holds up to 1e-4.
+RealInstance constrained_instance(const std::string& name);
 
 } // namespace app

@@ -62,7 +62,8 @@ TEST_CASE("a pipeline that does not fit the problem is refused before it runs") 
 }
 
 TEST_CASE("usual variants fit every problem of their kind") {
-    for (const Benchmark& problem : benchmarks({"bbob5-1", "bbob20-2", "zdt", "dtlz", "knapsack", "tsp"}, {}))
+    for (const Benchmark& problem :
+         benchmarks({"bbob5-1", "bbob20-2", "zdt", "dtlz", "cec2006", "knapsack", "tsp"}, {}))
         for (const auto& [name, text] : usual_contestants().at(problem.kind)) {
             INFO(problem.name << " " << name);
             CHECK_NOTHROW(problem.check(text));

@@ -1,3 +1,4 @@
+#include "experiments/compare/contest.hpp"
 #include "experiments/compare/problems/problems.hpp"
 #include "tests/catch.hpp"
 
@@ -34,6 +35,8 @@ TEST_CASE("values of the test problems by hand") {
     CHECK(at("dtlz1", {1, 1, 1})[0] == Approx(0.5 * (1 + 100 * 0.25)));
     CHECK(at("dtlz2", {0, 0, 0.5}) == std::vector<double>{1, 0, 0});
     CHECK(at("dtlz2", {1, 0.3, 1})[2] == Approx(1.25));
+    CHECK(at("dtlz2-5", {0, 0, 0, 0, 1, 0.5})[0] == Approx(1.25));
+    CHECK(at("dtlz2-5", {0.5, 1, 0, 0, 0.5})[3] == Approx(std::sqrt(0.5)));
     CHECK(at("dtlz7", {0, 0, 0})[2] == Approx(6));
     CHECK(at("dtlz7", {0, 0, 1})[2] == Approx(33));
 }
@@ -53,6 +56,7 @@ TEST_CASE("nothing drawn at random betters a known front, and the front can be r
             for (const ga::Point& point : *instance.front)
                 CHECK_FALSE((std::equal(f.begin(), f.end(), point.begin(), std::less_equal<>()) && f != point));
         }
+        if (instance.objectives > 3) continue;
         Nearness nearness(instance);
         double near = HUGE_VAL;
         const int steps = instance.objectives == 2 ? 3000 : 70;
@@ -64,6 +68,45 @@ TEST_CASE("nothing drawn at random betters a known front, and the front can be r
                 near = nearness.after(instance.evaluate(best_behind(name, first, instance.genes)));
             }
         CHECK(near < (instance.objectives == 2 ? 1e-3 : 1e-2));
+    }
+}
+
+TEST_CASE("functions of CEC 2006 have their published values at the published optima") {
+    const std::vector<std::vector<double>> optima{
+        {1, 1, 1, 1, 1, 1, 1, 1, 1, 3, 3, 3, 1},
+        {3.16246061572,  3.12833142813,  3.09479212989,  3.06145059523,  3.02792915886,  2.99382606702,  2.95866871765,
+         2.92184227312,  0.494825114569, 0.488357110055, 0.482316427119, 0.476644750927, 0.471295508355, 0.466230992642,
+         0.461420049842, 0.456836647672, 0.452458769033, 0.448267622419, 0.444247009588, 0.440382859563},
+        std::vector<double>(10, 0.316243577),
+        {78, 33, 29.9952560257, 45, 36.7758129058},
+        {679.945148297, 1026.066976, 0.118876369094, -0.396233485215},
+        {14.095, 0.842960789215},
+        {2.17199634143, 2.3636830416, 8.77392573913, 5.09598443745, 0.99065475656, 1.43057392853, 1.32164415364,
+         9.82872576524, 8.28009158874, 8.37592664773},
+        {1.22797135261, 4.24537336612},
+        {2.33049935147, 1.95137236847, -0.477541399511, 4.36572624924, -0.6244869591, 1.03813099411, 1.59422667807},
+        {579.306685018, 1359.97067808, 5109.97065743, 182.017699631, 295.601173703, 217.982300369, 286.416525928,
+         395.601173703},
+        {-0.707036070037, 0.500000004334}};
+    REQUIRE(constrained_problems().size() == optima.size());
+    for (std::size_t i = 0; i < optima.size(); ++i) {
+        INFO(constrained_problems()[i]);
+        const RealInstance instance = constrained_instance(constrained_problems()[i]);
+        const Evaluation found = instance.evaluate(optima[i]);
+        CHECK(found.objectives[0] == Approx(instance.best).epsilon(1e-8));
+        CHECK(violated(found) < 1e-3); // at digits that are printed
+    }
+}
+
+TEST_CASE("L-SHADE with levels solves functions of CEC 2006 on thin and curved feasible sets") {
+    for (const std::string name : {"g03", "g05", "g06"}) {
+        int solved = 0;
+        for (std::uint64_t seed = 1; seed <= 5; ++seed)
+            solved += raced(constrained_instance(name), usual_contestants().at("constrained")[0].second, {1e-4},
+                            {seed, 100000, nullptr})
+                          .precision <= 1e-4;
+        INFO(name);
+        CHECK(solved >= 4);
     }
 }
 
