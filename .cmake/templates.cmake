@@ -1,5 +1,5 @@
 # Writes templates of pages, scripts of figures and of experiments, tables of words and texts of help into a C++ file, RUGOSA_TEMPLATES_SOURCE.
-file(GLOB TEMPLATE_FILES CONFIGURE_DEPENDS apps/report/templates/*.mustache apps/report/figures/*.gp
+file(GLOB TEMPLATE_FILES CONFIGURE_DEPENDS apps/report/templates/*.mustache apps/report/templates/*.js apps/report/figures/*.gp
      experiments/*/*.mustache experiments/*/*.gp experiments/*/*.py experiments/paper/*.csv experiments/compare/*.csv
      apps/commands/help/*.txt)
 set(RUGOSA_TEMPLATES_SOURCE ${PROJECT_BINARY_DIR}/builtin.cpp)

@@ -183,9 +183,10 @@ class Context : public kainjow::mustache::context<std::string> {
 
     const data* get_partial(const std::string& name) const override {
         if (++partials_ > max_partials)
-            rough::refuse(name, ".mustache: more than ", max_partials,
+            rough::refuse(name, ": more than ", max_partials,
                           " templates are included in one page; a template must not include itself");
-        return kept(data(file_text(name + ".mustache", rendering_)));
+        const bool is_whole = name.find('.') != std::string::npos; // "draw.js"
+        return kept(data(file_text(is_whole ? name : name + ".mustache", rendering_)));
     }
 
   private:
