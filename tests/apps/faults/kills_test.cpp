@@ -99,7 +99,7 @@ TEST_CASE("a design that is interrupted in its checks resumes to the same result
         }
         REQUIRE(code == 130);
         CHECK(result_in(folder / "o")["interrupted"] == true);
-        CHECK_FALSE(fs::exists(folder / "o/report.html"));
+        CHECK(fs::exists(folder / "o/report.html"));
         if (moment == before_damage) folder.write("o/tolerance.cbor", "damaged");
         if (moment == after_tolerance) { // one draw less shows that it is read
             json content = ga::read_cbor(ga::opened(kept), kept);

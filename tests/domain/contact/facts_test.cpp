@@ -1,3 +1,4 @@
+#include "domain/contact/kernel.hpp"
 #include "domain/errors.hpp"
 #include "domain/response/response.hpp"
 #include "tests/domain/contact/scenes.hpp"
