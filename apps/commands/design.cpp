@@ -68,8 +68,9 @@ void find_answer(DesignRun& run, double limit, ProgressLine& progress) {
 rough::Tolerance kept_tolerance(const DesignRun& run, const std::filesystem::path& file,
                                 const rough::ToleranceOptions& options) {
     const rough::Genome& genome = run.found.best.genome;
+    const rough::DesignSetup setup = toleranced(run);
     const std::string key =
-        rough::json_text({run.origin.inputs, rough::description(run.setup), rough::genome_to_json(genome),
+        rough::json_text({run.origin.inputs, rough::description(setup), rough::genome_to_json(genome),
                           run.options.seed, options.price, options.draws ? nlohmann::json(*options.draws) : nullptr},
                          true);
     if (run.options.checkpoints->resume && std::filesystem::exists(ga::held_path(file))) try {
@@ -79,7 +80,7 @@ rough::Tolerance kept_tolerance(const DesignRun& run, const std::filesystem::pat
         } catch (const ga::UsageError&) { // damaged: computed again
         } catch (const nlohmann::json::exception&) {
         }
-    const rough::Tolerance tolerance = tolerance_of(run.setup, genome, options);
+    const rough::Tolerance tolerance = tolerance_of(setup, genome, options);
     const auto bytes = nlohmann::json::to_cbor({{"key", key}, {"tolerance", tolerance}});
     if (tolerance.complete && !tolerance.shortened) // without the file a resumed run computes it again
         ga::seal(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});

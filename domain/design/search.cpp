@@ -131,6 +131,10 @@ Answer verified_answer(const DesignSetup& reported, const Genome& genome) {
     return answer_of(reported, genome, Verifier(reported).of(genome));
 }
 
+DesignSetup as_verified(const DesignSetup& setup, const Answer& answer) {
+    return answer.is_verified() ? corrected_targets(setup, answer.misfits.front(), answer.largest) : setup;
+}
+
 DesignResponse response_of(const DesignSetup& setup, const Answer& answer) {
     return answer.is_verified() ? respond(setup, answer.genome, setup.model) : design_response(setup, answer.on_grid);
 }

@@ -116,6 +116,9 @@ std::string pipeline_from(const Settings& settings, const std::map<std::string, 
 
 /// The targets of --target with their --weights.
 std::vector<rough::Target> targets_from(const Settings& settings, const rough::Model& model);
+/// The set-up in which the tolerance of a run's answer is found: the similarity without errors is that of the
+/// verdict.
+rough::DesignSetup toleranced(const DesignRun& run);
 /// The options of the tolerance, which costs about as much as the search unless --draws is given.
 rough::ToleranceOptions priced_tolerance(const DesignRun& run);
 ///@{

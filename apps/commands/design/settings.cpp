@@ -185,6 +185,11 @@ DesignRequest request_from(const Settings& settings) {
     return request;
 }
 
+rough::DesignSetup toleranced(const DesignRun& run) {
+    const bool on_grid = run.morphed && !run.setup.model.grid.is_2d();
+    return on_grid ? run.setup : as_verified(run.setup, run.found.best);
+}
+
 rough::ToleranceOptions priced_tolerance(const DesignRun& run) {
     rough::ToleranceOptions options = run.tolerance_options;
     if (const double price = run.found.counters.price; price > 0) // no search ran for the phases of --from

@@ -168,7 +168,7 @@ std::string machine(const DesignRun& run) {
     }
     if (!missed.empty())
         join(all, "not reached: " + missed + ", because without errors the similarity is " +
-                      readable(tolerance.similarity, 5) + " on the search grid");
+                      readable(tolerance.similarity, 5) + (as_designed(run) ? " on the search grid" : ""));
     if (!tolerance.complete)
         join(all, "some errors are not known, because the time did not suffice; set more --seconds");
     return all;

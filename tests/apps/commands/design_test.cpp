@@ -57,6 +57,7 @@ TEST_CASE("the similarities of a design follow from its genome, for profiles and
         CHECK_THAT(result["summary"]["matched"].get<std::string>(),
                    Catch::Contains("off by up to " + app::percent(1 - verified.worst) + " with the estimated error"));
         CHECK(ended.code == (variant["similarity_worst"].get<double>() >= rough::default_required_similarity ? 0 : 3));
+        CHECK(variant["tolerance"]["similarity"].get<double>() == Approx(verified.worst).margin(10 * error));
         CHECK(variant["alternatives"].size() >= 1);
         CHECK(variant["trust"]["checks"].size() == (is_map ? 4 : 5));
         CHECK(variant["trust"]["tenth_percentile"] <= variant["trust"]["median"]);
