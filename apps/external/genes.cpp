@@ -207,7 +207,7 @@ Genes genes_from(const std::string& text) {
 }
 
 std::vector<ga::LevelPrice> levels_from(const std::string& text) {
-    constexpr std::size_t max_levels = 8; // those of a set of ga::bit_of
+    constexpr std::size_t max_levels = 8; // a set of ga::bit_of has no more
     if (text.empty()) return {{}};
     std::vector<std::string> each;
     boost::split(each, text, boost::is_any_of(","));

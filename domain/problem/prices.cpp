@@ -11,9 +11,9 @@ namespace {
 
 /// Processor time of one curve of 20 load steps, ms, at numbers of nodes that grow by a constant factor. It
 /// grows with a power of the number of load steps. Measured and smoothed on a busy machine. Maps of 16 x 16
-/// and above 256 x 256 nodes are extrapolated. benchmark_prices measures them again. It did so on 29 November
-/// 2026: relative to 1,024 nodes or 64 x 64, all entries agree within 1.4, except 8,192 nodes (1.8 times more)
-/// and 16 x 16 (2.3 times less). Derivatives cost 1.1 to 1.9 curves in 20 steps.
+/// and above 256 x 256 nodes are extrapolated. benchmark_prices measures them again. On another
+/// machine it gave, relative to 1,024 nodes or 64 x 64, the same entries within a factor of 1.4. Exceptions
+/// are 8,192 nodes (1.8 times more) and 16 x 16 (2.3 times less). Derivatives cost 1.1 to 1.9 curves.
 struct CurveTimes {
     double nodes;                ///< number of nodes of the first entry
     double factor;               ///< factor of nodes from one entry to the next

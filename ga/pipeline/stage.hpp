@@ -226,7 +226,7 @@ class Pipeline {
             throw;
         } catch (const UsageError&) {
             throw;
-        } catch (const std::exception& error) { // of a member of the problem, e.g. `sample`
+        } catch (const std::exception& error) { // thrown by a member of the problem, e.g. `sample`
             if (!context.best() || context.ledger().evaluator_failed) throw;
             keep();
             throw Stopped{"stage '" + placed.stage.text + "' cannot continue: " + error.what(), true};

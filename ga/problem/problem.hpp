@@ -111,8 +111,8 @@ concept HasFinalGenome = requires(const P& problem, const typename P::Genome& ge
     { problem.final_genome(genome, outcome) } -> std::same_as<typename P::Genome>;
 };
 
-/// Optional: the genome moved into the feasible set, or part of the way. The engine calls `repair` before it
-/// evaluates a genome, and keeps the result. It must be pure, must not throw, and must not change its results.
+/// Optional: the genome moved into the feasible set, or towards it. The engine calls `repair` before each
+/// evaluation, and keeps the result. It must be pure, must not throw, and must not change its results.
 template <class P>
 concept Repairs = requires(const P& problem, const typename P::Genome& genome) {
     { problem.repair(genome) } -> std::same_as<typename P::Genome>;

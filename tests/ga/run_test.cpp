@@ -131,7 +131,7 @@ TEST_CASE("an evaluator that throws ends the run with its message, on islands to
     CHECK_THROWS_WITH(run_by(cut, pipeline, Reals{}, {}), "the cable is cut");
 }
 
-TEST_CASE("a run in which a member of the problem throws ends with what it has found, and the reason") {
+TEST_CASE("a run in which a member of the problem throws ends with its results and the reason") {
     struct Brittle : Reals {
         mutable std::atomic<int> draws = 0;
         Brittle() = default;

@@ -342,7 +342,7 @@ class AskTell : public Search {
     std::atomic<bool> stop_ = false;
     Prepared<G> prepared_;
     Engine engine_;
-    std::vector<ga::Level> levels_;               ///< of the last proposals
+    std::vector<ga::Level> levels_;               ///< levels of the last proposals
     std::vector<typename Engine::Proposal> open_; ///< used only with the interpreter's lock
     std::thread::id asker_;                       ///< the thread that has asked last
 };
