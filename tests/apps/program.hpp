@@ -94,7 +94,7 @@ inline Ended disturbed(const std::string& words, const std::filesystem::path& wh
     const auto script = logs.write("disturb.sh", "cd '" + where.string() + "'\n" + by + " '" RUGOSA_PROGRAM "' " +
                                                      words + " >'" + (logs / "out").string() + "' 2>'" +
                                                      (logs / "err").string() + "' & child=$!\nuntil " + sign +
-                                                     "; do sleep 0.002; done\n" + commands + "; wait $child\n");
+                                                     " || ! kill -0 $child; do sleep 0.002; done\n" + commands + "; wait $child\n");
     const int status = std::system(("bash '" + script.string() + "' 2>/dev/null").c_str());
     return {WEXITSTATUS(status), rough::read_whole(logs / "out"), rough::read_whole(logs / "err"), 0};
 }

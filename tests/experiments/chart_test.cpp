@@ -153,7 +153,7 @@ TEST_CASE("rugosa chart ends in time, and its page has only what was measured") 
 
 TEST_CASE("chart.csv has the measurements so far when the program is killed") {
     const app::testing::Folder folder;
-    const auto ended = app::testing::disturbed("chart --quick --minutes 1 --out r", folder.path(),
+    const auto ended = app::testing::disturbed("chart --quick --minutes 60 --out r", folder.path(),
                                                "grep -qs hertz r/chart.csv", "kill -KILL $child");
     CHECK(ended.code == app::testing::killed);
     const std::string table = rough::read_whole(folder / "r" / "chart.csv");
