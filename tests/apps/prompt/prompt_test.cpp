@@ -77,7 +77,7 @@ const std::vector<Wrong> wrong_uses{
     {"run", {"no experiment"}},
     {"run key.ini", {"key.ini:2:", "'paper.x'", "; use one of paper."}},
     {"run line.ini", {"line.ini:2:", "\"no equals\"", "key = value"}},
-    {"run kind.ini", {"kind.ini:2: experiment.kind:", "\"foo\"", "accuracy, chart, compare"}},
+    {"run kind.ini", {"kind.ini:2: experiment.kind:", "\"foo\"", "chart, compare"}},
     {"run variant.ini", {"variant.ini:6: variants.mine:", "'scor'", "'score'"}},
     {"run key.ini --set paper.x= --set foo.bar=3", {"'foo.bar'", "; use one of database.*, "}},
     {paper + "more", {"'more'", "one experiment"}},
