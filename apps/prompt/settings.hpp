@@ -86,13 +86,19 @@ class Settings {
             value = numbers(name);
         else if constexpr (std::is_enum_v<Value>)
             value = static_cast<Value>(choice(name));
+        else if constexpr (std::is_integral_v<Value>)
+            value = whole<Value>(name);
         else
             value = static_cast<Value>(number(name));
     }
-    /// The value of a setting that takes whole numbers.
+    /// The value of a setting that takes whole numbers. Throws rough::InputError if the type has no such number.
     template <class Whole = long>
     Whole whole(const std::string& name) const {
-        return static_cast<Whole>(number(name));
+        using Limits = std::numeric_limits<Whole>;
+        const double value = number(name), last = std::min(0x1p53, static_cast<double>(Limits::max()));
+        if (!(value >= std::max(-0x1p53, static_cast<double>(Limits::min())) && value <= last))
+            refuse(name, text(name), " is out of range; give a whole number up to ", ga::number(last));
+        return static_cast<Whole>(value);
     }
     /// A file: relative to the working directory, or to the .ini file that names it.
     std::filesystem::path path(const std::string& name) const { return beside(name, text(name)); }

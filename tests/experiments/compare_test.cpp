@@ -1,3 +1,5 @@
+#include "apps/experiments/experiment.hpp"
+#include "apps/prompt/model_settings.hpp"
 #include "apps/report/csv.hpp"
 #include "tests/apps/results.hpp"
 
@@ -177,4 +179,11 @@ TEST_CASE("runs on BBOB's functions are written as COCO has them, a folder for e
         }
         CHECK(std::filesystem::exists(in / "data_f8/bbobexp_f8_DIM2.tdat"));
     }
+}
+
+TEST_CASE("a number of nodes beyond every whole number is refused") {
+    const Folder folder;
+    folder.write("many.ini", "[experiment]\nkind = compare\n[model]\nnodes = 1e22\n");
+    const auto settings = app::read_ini(folder / "many.ini", app::experiment_named("compare").all_settings());
+    CHECK_THROWS_WITH(app::model_from(settings, "model."), Catch::Contains("1e22 is out of range"));
 }
