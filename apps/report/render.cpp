@@ -98,7 +98,7 @@ json table_json(const std::filesystem::path& file) {
 /// The text of a template or script: the user's if --templates has it, else the built-in one.
 std::string file_text(const std::string& name, const Rendering& rendering) {
     if (!rendering.templates.empty() && !std::filesystem::is_directory(rendering.templates))
-        rough::refuse("--templates: '", rendering.templates.string(), "' is not a folder; name a folder");
+        rough::refuse("--templates: '", rendering.templates.string(), "' is not a folder; give one");
     if (!rendering.templates.empty() && std::filesystem::exists(rendering.templates / name))
         return rough::read_whole(rendering.templates / name);
     const auto found = builtin_files().find(name);

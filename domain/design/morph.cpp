@@ -144,6 +144,16 @@ class LeastChange {
     long last_better_ = 0; ///< `gradients` at the last marked improvement of the best point
 };
 
+std::vector<MissedPoint> missed_points(const DesignSetup& setup, const std::vector<Eigen::VectorXd>& misfits,
+                                       double allowed) {
+    std::vector<MissedPoint> missed;
+    for (std::size_t t = 0; t < misfits.size(); ++t)
+        for (Index k = 0; k < misfits[t].size(); ++k)
+            if (std::abs(misfits[t][k]) > allowed) missed.push_back({t, setup.targets[t].x[k], misfits[t][k]});
+    return missed;
+}
+
+/// The smallest change on the set-up's grid, as for morph().
 Morphed changed(const DesignSetup& given, const Genome& genome, const std::vector<ChromosomeName>& control,
                 double largest_change, double required) {
     DesignSetup setup = given;
@@ -166,10 +176,7 @@ Morphed changed(const DesignSetup& given, const Genome& genome, const std::vecto
     const DesignOutcome outcome = problem.evaluate(found);
     result.genome = folded(problem.final_genome(found, outcome));
     result.after = outcome.similarity;
-    for (std::size_t t = 0; t < outcome.misfits.size(); ++t)
-        for (Index k = 0; k < outcome.misfits[t].size(); ++k)
-            if (std::abs(outcome.misfits[t][k]) > allowed)
-                result.missed.push_back({t, setup.targets[t].x[k], outcome.misfits[t][k]});
+    result.missed = missed_points(setup, outcome.misfits, allowed);
     result.gradients = search.gradients;
     const auto places = gene_places(genome);
     const auto before = genes(genome), after = genes(search.at(x));
@@ -211,22 +218,26 @@ Morphed morph(const DesignSetup& setup, const Genome& genome, const std::vector<
         refuse_value("largest-change", largest_change, " is out of range (above 0 to 0.5 of a turn)");
     Morphed first = changed(setup, genome, control, largest_change, required);
     if (!setup.model.grid.is_2d()) return first;
-    const Verifier verifier(as_reported(setup), setup.model.contact.threads);
-    const Verification seen = verifier.of(first.genome);
+    const auto verify = [&](Morphed& morphed) {
+        morphed.verified = verified_answer(as_reported(setup), morphed.genome);
+        morphed.missed = missed_points(setup, morphed.verified->largest, 1 - required);
+    };
+    verify(first);
+    const Answer& seen = *first.verified;
     if (!(seen.worst < required)) return first;  // also if it was stopped
     const double error = seen.both - seen.worst; // estimated
     Morphed again = changed(corrected_targets(setup, seen.misfits.front(), seen.misfits.back()), genome, control,
                             largest_change, std::min(required + error, 1 - min_aim));
     again.gradients += first.gradients;
-    if (!(verifier.of(again.genome).worst > seen.worst)) return first;
     again.before = first.before;
-    again.after = similarity(setup, again.genome);
-    return again;
+    verify(again);
+    again.after = again.verified->similarity;
+    return again.verified->worst > seen.worst ? again : first;
 }
 
 SearchResult as_found(const DesignSetup& setup, const Morphed& morphed) {
     SearchResult found;
-    found.best = verified_answer(as_reported(setup), morphed.genome);
+    found.best = morphed.verified ? *morphed.verified : verified_answer(as_reported(setup), morphed.genome);
     found.alternatives = {found.best};
     found.counters.gradients = morphed.gradients;
     found.counters.requested = morphed.gradients;

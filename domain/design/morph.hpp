@@ -40,6 +40,7 @@ struct Morphed {
     std::vector<PhaseChange> changes; ///< one per controlled phase
     std::vector<MissedPoint> missed;  ///< points that miss the required similarity; empty if none does
     long gradients = 0;               ///< number of computed curves with derivatives
+    std::optional<Answer> verified;   ///< the changed genome's verification; only on a map
 };
 
 /// The smallest change (sum of squares) of the phases of a few chromosomes after which a genome matches the

@@ -328,10 +328,13 @@ class Ledger : public EvaluationQueue<P> {
     void evaluate(bool to_the_end) {
         static const Budget endless;
         static const Watch never(endless);
-        evaluator_failed = true;
-        if (!calls_.empty()) evaluator_.outcomes(problem_, calls_, to_the_end ? never : watch_);
-        if (!slopes_.empty()) evaluator_.slopes(problem_, slopes_, watch_);
-        evaluator_failed = false;
+        try {
+            if (!calls_.empty()) evaluator_.outcomes(problem_, calls_, to_the_end ? never : watch_);
+            if (!slopes_.empty()) evaluator_.slopes(problem_, slopes_, watch_);
+        } catch (...) {
+            evaluator_failed = true;
+            throw;
+        }
     }
 
     /// Counts the evaluations that were made and resets pending ones; true if any is pending.

@@ -146,8 +146,8 @@ void write_heights(const DesignRun& run, const std::filesystem::path& folder) {
     rough::write_atomically(folder / "heights-drawn.csv", table);
 }
 
-/// The labels of a target's axes in the units of its file, as the figures read them: `own`, then two texts in
-/// quotes.
+/// The labels of a target's axes in the units of its file, as the figures read them: the word `own` and
+/// two texts in quotes.
 std::string labels_of(const rough::Target& target) {
     if (!target.written) return "";
     static const std::pair<const char*, const char*> signs[] = {{"_per_", "/"}, {"m2K", "(m²K)"}, {"m2", "m²"},

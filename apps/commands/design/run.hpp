@@ -116,6 +116,8 @@ std::string pipeline_from(const Settings& settings, const std::map<std::string, 
 
 /// The targets of --target with their --weights.
 std::vector<rough::Target> targets_from(const Settings& settings, const rough::Model& model);
+/// Whether the verdict is about the search grid: that of a changed profile, whose target was measured on it.
+bool is_judged_on_grid(const DesignRun& run);
 /// The set-up in which the tolerance of a run's answer is found: the similarity without errors is that of the
 /// verdict.
 rough::DesignSetup toleranced(const DesignRun& run);
@@ -127,8 +129,8 @@ nlohmann::json trust_json(const rough::Trust& trust);
 nlohmann::json tolerance_json(const rough::Tolerance& tolerance);
 ///@}
 
-/// Adds a row for each point of a target to points.csv, in the units of columns_of(target). Misfits are over
-/// the weight; `verified` are those that decide, NaN if there are none.
+/// Adds a row for each point of a target to points.csv, in the units of columns_of(target). Misfits are
+/// divided by the weight. `verified` are those that decide; NaN stands for each if the answer is not verified.
 void add_points(Csv& points, std::size_t number, const rough::Target& target, const Eigen::VectorXd& misfits,
                 const Eigen::VectorXd& verified);
 /// The keys of result.json for the record, and for each target its points, file, quantity, and the argument

@@ -185,9 +185,10 @@ DesignRequest request_from(const Settings& settings) {
     return request;
 }
 
+bool is_judged_on_grid(const DesignRun& run) { return run.morphed && !run.setup.model.grid.is_2d(); }
+
 rough::DesignSetup toleranced(const DesignRun& run) {
-    const bool on_grid = run.morphed && !run.setup.model.grid.is_2d();
-    return on_grid ? run.setup : as_verified(run.setup, run.found.best);
+    return is_judged_on_grid(run) ? run.setup : as_verified(run.setup, run.found.best);
 }
 
 rough::ToleranceOptions priced_tolerance(const DesignRun& run) {

@@ -37,7 +37,7 @@ std::string in_unit(double length) {
 /// The similarity that the verdict is about, under all conditions; -infinity if one of them has no response.
 /// That of a profile in production is on the grid and in the load steps of its target.
 double verified_of(const DesignRun& run) {
-    if (run.morphed && !run.setup.model.grid.is_2d()) return run.found.best.similarity;
+    if (is_judged_on_grid(run)) return run.found.best.similarity;
     const double lowest = run.found.best.lowest();
     const auto decides = [](const rough::Check& check) { return check.decides; };
     if (!run.trust || std::ranges::none_of(run.trust->checks, decides)) return lowest;
@@ -73,8 +73,8 @@ std::string verdict_of(const DesignRun& run) {
         line = (found ? "restored: similarity " : "not restored: similarity ") +
                (is_enough ? readable(verified, 5) : below(verified, required)) + ", before " +
                readable(run.morphed->before, 4) + "; " + wanted +
-               (run.setup.model.grid.is_2d() ? "" : "; lowest similarity " + readable(run.found.best.lowest(), 4)) +
-               ", " + conditions;
+               (is_judged_on_grid(run) ? "; lowest similarity " + readable(run.found.best.lowest(), 4) : "") + ", " +
+               conditions;
     else if (is_enough)
         line = (found              ? "found"
                 : is_verified(run) ? missed_by(run.found)
@@ -90,9 +90,7 @@ std::string verdict_of(const DesignRun& run) {
 }
 
 /// Whether misfits are those on the search grid, without an estimated error.
-bool as_designed(const DesignRun& run) {
-    return (run.morphed && !run.setup.model.grid.is_2d()) || !run.found.best.is_verified();
-}
+bool as_designed(const DesignRun& run) { return is_judged_on_grid(run) || !run.found.best.is_verified(); }
 
 /// The largest misfit of an answer to a target with its estimated error, relative to the target, and the
 /// index of its point.

@@ -51,9 +51,9 @@ class Child {
 /// is started again. A hundred ends in a row are trouble, and so is any other answer.
 class Children {
   public:
-    /// @param command  the program, split by split_command
-    /// @param count    maximum number of copies
-    /// @param seconds  maximum time for one evaluation
+    /// @param command  the program, split by split_command.
+    /// @param count    maximum number of copies.
+    /// @param seconds  maximum time for one evaluation.
     /// @param log      file for what they write to standard error. It is removed if it stays empty. Beyond
     ///                 10 MB only its end is kept.
     Children(const std::string& command, int count, double seconds, std::filesystem::path log);
