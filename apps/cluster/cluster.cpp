@@ -3,7 +3,7 @@
 #include "apps/prompt/terminal.hpp"
 #include "domain/errors.hpp"
 #include "domain/numerics/vector_loops.hpp"
-#include "ga/base/bounded_json.hpp"
+#include "ga/base/json.hpp"
 #include "ga/base/parallel.hpp"
 #include "ga/base/stopwatch.hpp"
 

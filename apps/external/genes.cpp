@@ -3,7 +3,7 @@
 #include "domain/text/json.hpp"
 
 #include <boost/algorithm/string.hpp>
-#include <nlohmann/json.hpp>
+#include "ga/base/json.hpp"
 
 namespace app {
 

@@ -2,7 +2,7 @@
 
 #include "domain/accuracy/resolution.hpp"
 
-#include <nlohmann/json.hpp>
+#include "ga/base/json.hpp"
 
 namespace app {
 

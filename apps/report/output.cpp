@@ -6,7 +6,7 @@
 #include "ga/base/held_folder.hpp"
 #include "ga/problem/fingerprint.hpp"
 
-#include <nlohmann/json.hpp>
+#include "ga/base/json.hpp"
 
 #include <cerrno>
 #include <cinttypes>

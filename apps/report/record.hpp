@@ -4,7 +4,7 @@
 #include "domain/response/response.hpp"
 #include "ga/run/state.hpp"
 
-#include <nlohmann/json.hpp>
+#include "ga/base/json.hpp"
 
 namespace rough {
 struct AccuracyReport;

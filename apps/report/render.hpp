@@ -1,6 +1,6 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include "ga/base/json.hpp"
 
 #include <filesystem>
 #include <map>

@@ -9,7 +9,7 @@
 #include "domain/profile/roughness.hpp"
 #include "domain/text/atomic_file.hpp"
 
-#include <nlohmann/json.hpp>
+#include "ga/base/json.hpp"
 
 namespace app {
 

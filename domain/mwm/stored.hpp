@@ -2,7 +2,7 @@
 
 #include "domain/mwm/genome.hpp"
 
-#include <nlohmann/json.hpp>
+#include "ga/base/json.hpp"
 
 /// @file
 /// Genomes in checkpoints: lossless, the scale as a separate number. (genome.hpp has the

@@ -1,7 +1,7 @@
 #include "domain/text/json.hpp"
 
 #include "domain/errors.hpp"
-#include "ga/base/bounded_json.hpp"
+#include "ga/base/json.hpp"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 
 #include "apps/experiments/trial.hpp"
 
-#include <nlohmann/json.hpp>
+#include "ga/base/json.hpp"
 
 #include <atomic>
 #include <set>

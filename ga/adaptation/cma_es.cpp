@@ -1,7 +1,7 @@
 #include "ga/adaptation/cma_es.hpp"
 
 #include <Eigen/Eigenvalues>
-#include <nlohmann/json.hpp>
+#include "ga/base/json.hpp"
 
 namespace ga {
 
@@ -223,7 +223,7 @@ void from_json(const nlohmann::json& j, CmaEs::State& s) {
     s.distribution.path_sigma = numbers(c.at(3), n), s.distribution.path_c = numbers(c.at(4), n);
     s.distribution.axes = numbers(c.at(5), n * n).reshaped(n, n);
     s.distribution.scales = numbers(c.at(6), n);
-    read_part(c.at(7), s.distribution.learnt), read_part(c.at(8), s.distribution.drawn);
+    c.at(7).get_to(s.distribution.learnt), c.at(8).get_to(s.distribution.drawn);
     read_parts(j.at(3), s.record.best, s.record.median, s.record.equal, s.record.spent);
     CmaPlan& p = s.plan;
     read_parts(j.at(4), p.usual, p.restarts, p.large, p.small, p.last_large, p.now_large, p.begun);
@@ -233,9 +233,9 @@ void from_json(const nlohmann::json& j, CmaEs::State& s) {
     constexpr std::size_t max_children = 10'000'000;
     expect_fit(s.moving.empty() || (s.run.lambda >= 2 && s.plan.usual >= 2 && s.distribution.sigma > 0 &&
                                     s.run.lambda <= max_children && s.plan.usual <= max_children));
-    read_part(j.at(6), s.children);
+    j.at(6).get_to(s.children);
     s.ended = j.at(7);
-    read_part(j.at(8), s.mirrored);
+    j.at(8).get_to(s.mirrored);
     expect_fit(s.mirrored.size() == s.children.size());
 }
 

@@ -2,7 +2,7 @@
 
 #include "ga/pipeline/stage.hpp"
 
-#include <nlohmann/json.hpp>
+#include "ga/base/json.hpp"
 
 namespace ga {
 

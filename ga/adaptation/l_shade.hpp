@@ -2,7 +2,7 @@
 
 #include "ga/adaptation/differential_evolution.hpp"
 
-#include <nlohmann/json.hpp>
+#include "ga/base/json.hpp"
 
 #include <numbers>
 

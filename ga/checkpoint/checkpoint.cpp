@@ -1,6 +1,6 @@
 #include "ga/checkpoint/checkpoint.hpp"
 
-#include "ga/base/bounded_json.hpp"
+#include "ga/base/json.hpp"
 #include "ga/base/held_folder.hpp"
 
 #include <cerrno>
@@ -70,7 +70,7 @@ nlohmann::json read_cbor(const std::string& bytes, const std::filesystem::path& 
 
 void to_json(json& j, const Permutation& permutation) { j = permutation.order; }
 
-void from_json(const json& j, Permutation& permutation) { read_part(j, permutation.order); }
+void from_json(const json& j, Permutation& permutation) { j.get_to(permutation.order); }
 
 void to_json(json& j, const Counters& c) {
     j = {c.requested, c.evaluations, c.remembered, c.gradients, c.failures, c.requested_price, c.price};
@@ -98,7 +98,7 @@ Fitness read_scored(const json& scored) {
         fitness = Fitness(policy, scored.at(1).get<Point>());
     } else {
         fitness = Fitness(policy, scored.at(1).get<double>(), scored.at(4).get<bool>());
-        read_part(scored.at(5), replicates);
+        scored.at(5).get_to(replicates);
     }
     return fitness.constrained(scored.at(3), scored.at(2).get<double>()).averaged(replicates);
 }

@@ -3,7 +3,7 @@
 #include "ga/base/held_folder.hpp"
 #include "ga/pipeline/run.hpp"
 
-#include <nlohmann/json.hpp>
+#include "ga/base/json.hpp"
 
 #include <fstream>
 
@@ -59,12 +59,12 @@ void from_json(const json& j, Individual<G>& individual) {
                                                : Parents();
     individual.fitness = read_scored(j.at(3));
     std::uint8_t levels = 0;
-    read_part(j.at(5), levels);
+    j.at(5).get_to(levels);
     individual.fitness.set_levels(levels);
     individual.origin.reset();
     if (!j.at(4).is_null()) {
         G origin;
-        read_part(j.at(4), origin);
+        j.at(4).get_to(origin);
         individual.origin = std::make_shared<const G>(std::move(origin));
     }
 }
@@ -178,7 +178,7 @@ class Checkpoints : public Checkpointer<P> {
     void keep(const std::string& name, T& value) {
         kept_.push_back({name, [&value] { return json(value); },
                          [&value](const json& j, const P& problem) {
-                             read_part(j, value);
+                             j.get_to(value);
                              expect_valid(can_be_kept(problem, value));
                          }});
     }
@@ -209,8 +209,8 @@ class Checkpoints : public Checkpointer<P> {
             for (const auto& value : kept_) value.read(j.at("kept").at(value.name), ledger.problem());
             recall(j, ledger);
             Taken snapshot;
-            read_part(j.at("snapshot"), snapshot);
-            if (!j.at("answer").is_null()) read_part(j.at("answer"), answer_.emplace());
+            j.at("snapshot").get_to(snapshot);
+            if (!j.at("answer").is_null()) j.at("answer").get_to(answer_.emplace());
             expect_valid(can_be_kept(ledger.problem(), snapshot) &&
                          (!answer_ || can_be_kept(ledger.problem(), *answer_)));
             return snapshot;
@@ -300,7 +300,7 @@ class Checkpoints : public Checkpointer<P> {
                         ledger.prepay(print, evaluation(entry));
                 }
             std::size_t room = 0;
-            read_part(stored.at(3), room);
+            stored.at(3).get_to(room);
             ledger.memory.resume(room);
         }
     }

@@ -137,31 +137,12 @@ class OperatorState {
     void (*write_)(const std::any&, nlohmann::json&) = nullptr;
 };
 
-/// Reads a value that its to_json has written. Throws UsageError if the JSON has a real number instead of a
-/// whole one, because the conversion may be undefined. Any other mismatch throws nlohmann's exceptions.
-template <class T, class Json>
-void read_part(const Json& j, T& value) {
-    if constexpr (std::integral<T> && !std::same_as<T, bool>) {
-        expect_fit(j.is_number_integer());
-        j.get_to(value);
-    } else if constexpr (requires { value.push_back(typename T::value_type()); } && !std::same_as<T, std::string> &&
-                         !std::same_as<T, Json>) {
-        value.clear();
-        for (const Json& part : j.template get_ref<const typename Json::array_t&>()) {
-            typename T::value_type read;
-            read_part(part, read);
-            value.push_back(std::move(read));
-        }
-    } else {
-        j.get_to(value);
-    }
-}
-/// Reads the parts of a value, in order, from the array that its to_json has written. Throws as read_part
-/// does.
+/// Reads the parts of a value, in order, from the array that its to_json has written. Throws nlohmann's
+/// exceptions if one does not fit.
 template <class Json, class... Parts>
 void read_parts(const Json& j, Parts&... parts) {
     std::size_t i = 0;
-    (read_part(j.at(i++), parts), ...);
+    (j.at(i++).get_to(parts), ...);
 }
 
 /// A stage's result, as observers see it.

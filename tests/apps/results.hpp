@@ -3,7 +3,7 @@
 #include "domain/database/store.hpp"
 #include "tests/apps/program.hpp"
 
-#include <nlohmann/json.hpp>
+#include "ga/base/json.hpp"
 
 #include <regex>
 #include <sstream>

@@ -210,7 +210,9 @@ TEST_CASE("a forged database is refused or harmless") {
             SQLite::Database sqlite(file, SQLite::OPEN_READWRITE);
             const auto text = [](const json& j) { return j.is_string() ? j.get<std::string>() : j.dump(); };
             const auto signed_number = [](std::uint64_t n) { return static_cast<std::int64_t>(n); };
-            const auto whole = [](const json& j) { return j.is_number_integer() ? j.get<std::uint64_t>() : 7; };
+            const auto whole = [](const json& j) {
+                return !j.is_number_integer() ? 7 : j < 0 ? UINT64_MAX : j.get<std::uint64_t>();
+            };
             const auto numbers = [](const json& j) {
                 std::vector<double> all;
                 for (const json& each : j.is_array() ? j : json::array({j}))

@@ -2,7 +2,7 @@
 #include "domain/mwm/sampling.hpp"
 #include "domain/text/json.hpp"
 
-#include <nlohmann/json.hpp>
+#include "ga/base/json.hpp"
 
 namespace rugosa::python {
 

@@ -4,7 +4,7 @@
 #include "domain/mwm/test_surfaces.hpp"
 #include "tests/catch.hpp"
 
-#include <nlohmann/json.hpp>
+#include "ga/base/json.hpp"
 
 #include <fstream>
 #include <random>

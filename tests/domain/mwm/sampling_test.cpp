@@ -2,7 +2,7 @@
 #include "tests/domain/derivatives.hpp"
 #include "tests/domain/random_genome.hpp"
 
-#include <nlohmann/json.hpp>
+#include "ga/base/json.hpp"
 
 using namespace rough;
 using testing::random_genome;

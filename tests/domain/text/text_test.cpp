@@ -3,7 +3,7 @@
 #include "domain/text/words.hpp"
 #include "tests/catch.hpp"
 
-#include <nlohmann/json.hpp>
+#include "ga/base/json.hpp"
 
 using namespace rough;
 

@@ -2,7 +2,26 @@
 
 #include <nlohmann/json.hpp>
 
+#include <concepts>
 #include <string_view>
+#include <utility>
+
+/// @file
+/// The only header that includes <nlohmann/json.hpp>: every source must convert numbers as is declared here.
+
+/// Whole numbers. Reading throws nlohmann's type_error if the JSON has a real number, which nlohmann converts even
+/// if it is NaN, or one outside the type's range.
+template <class T>
+requires(std::integral<T> && !std::same_as<T, bool> && !std::same_as<T, char>) struct nlohmann::adl_serializer<T> {
+    static void to_json(json& j, T value) { nlohmann::to_json(j, value); }
+    static void from_json(const json& j, T& value) {
+        const bool fits = j.is_number_unsigned()
+                              ? std::in_range<T>(j.get_ref<const std::uint64_t&>())
+                              : j.is_number_integer() && std::in_range<T>(j.get_ref<const std::int64_t&>());
+        if (!fits) throw json::type_error::create(302, "not a whole number of this type's range: " + j.dump(), &j);
+        nlohmann::from_json(j, value);
+    }
+};
 
 namespace ga {
 
