@@ -51,9 +51,8 @@ Eigen::VectorXd displacement_errors(const Response& rows, const Loading& loading
 /// value (README.md). It is infinite if that value is not positive.
 Eigen::VectorXd relative(const Doubt& doubt, const ErrorScale& scale);
 
-/// Number of first rows that must be exact so that the relative errors of the other rows are at most
-/// `accuracy`. The other rows are shifted as in known_up_to(). It is the number of all rows if no smaller
-/// number is enough.
+/// Number of first rows that must be exact so that the relative errors of the other rows are at most `accuracy`. The
+/// other rows are shifted as in known_up_to(). It is the number of all rows if no smaller number is enough.
 Index rows_to_know(const Doubt& doubt, const ErrorScale& scale, double accuracy);
 
 /// The largest relative error, over all rows, of pressures and secants against `resolved` pressures at the

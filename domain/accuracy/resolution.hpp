@@ -13,12 +13,11 @@ enum class Interpolation {
     kinked, ///< parabolas, with kinks at sharp crests between nodes, along x and then y
 };
 
-/// The surface on a finer grid, with `times` (>= 1) elements for each element along each axis, as
-/// refined(Grid). The nodes of the surface keep their heights. On a map that is not periodic, `times` must
-/// therefore be odd, otherwise InputError is thrown; heights continue straight over the outer half cells.
-/// Splines end with the slope of the parabola through the last three nodes; along an axis of two nodes they
-/// are linear. Across the ends of a periodic surface heights are linear, so that splines do not oscillate at
-/// a jump there.
+/// The surface on a finer grid, with `times` (>= 1) elements for each element along each axis, as refined(Grid). The
+/// nodes of the surface keep their heights. On a map that is not periodic, `times` must therefore be odd, otherwise
+/// InputError is thrown; heights continue straight over the outer half cells. Splines end with the slope of the
+/// parabola through the last three nodes; along an axis of two nodes they are linear. Across the ends of a periodic
+/// surface heights are linear, so that splines do not oscillate at a jump there.
 Profile finer(const Profile& surface, Index times, Interpolation by, bool periodic = false);
 
 /// Whether contact is also computed on interpolated heights of a measured surface. `automatic` does so unless
@@ -77,9 +76,8 @@ struct OutlierCost {
     /// Whether one of the two factors is above 1.1.
     bool matters() const { return contact_fraction > 1.1 || stiffness > 1.1; }
 };
-/// The effect of outliers of a scan that gave this response. Interpolates the heights at these nodes and
-/// solves the contact at the same mean pressures, as far as they can be reached. Throws NotConverged as
-/// respond().
+/// The effect of outliers of a scan that gave this response. Interpolates the heights at these nodes and solves the
+/// contact at the same mean pressures, as far as they can be reached. Throws NotConverged as respond().
 OutlierCost outlier_cost(const Profile& scan, const std::vector<Index>& outliers, const Model& model,
                          const Response& response);
 

@@ -44,9 +44,8 @@ struct AccuracyReport {
     double step_error = 0;             ///< bound of the error due to interpolated load steps
     double dropped_error = 0;          ///< bound of the error due to omitted waves
     double solver_error = 0;           ///< bound of the error due to the solver's tolerance
-    /// Largest relative error of the contact fraction, not part of `estimated_error`; infinite or NaN if it
-    /// is not bounded. A bound for an exact solution on the nodes of a scan, otherwise an estimate
-    /// (README.md).
+    /// Largest relative error of the contact fraction, not part of `estimated_error`; infinite or NaN if it is not
+    /// bounded. A bound for an exact solution on the nodes of a scan, otherwise an estimate (README.md).
     double area_error = 0;
     double tangent_error = 0; ///< largest relative error of the tangent stiffness; see `area_error`
     Index held_nodes = 0;     ///< nodes whose pressure is the hardness at the last load step
@@ -70,8 +69,7 @@ struct ReportedResponse {
     std::vector<int> last_contact; ///< nodes that touch at the last load step; empty if grids are extrapolated
 };
 
-/// A measured surface's response within model.accuracy on its nodes, or on a line for a periodic map
-/// (README.md).
+/// A measured surface's response within model.accuracy on its nodes, or on a line for a periodic map (README.md).
 ReportedResponse respond_within(const Profile& scan, const Model& model);
 /// The response of a sum of waves within model.accuracy (relative, 0 to 1) of the response on the model's
 /// grid. Displacements are those of that grid's profile, `whole`. Solves the model as given if `accuracy` is

@@ -103,9 +103,8 @@ struct MeshedCaps {
     double kkt_residual = 0;   ///< certificate of the solution
 };
 
-/// The contact of caps (as paraboloids) with a half-space by boundary elements, on a map of about `nodes`
-/// nodes. `at` are increasing loads (N), or increasing approaches (mm) if `loads` is false. Throws what
-/// solve_contact() throws.
+/// The contact of caps (as paraboloids) with a half-space by boundary elements, on a map of about `nodes` nodes. `at`
+/// are increasing loads (N), or increasing approaches (mm) if `loads` is false. Throws what solve_contact() throws.
 std::vector<MeshedCaps> pressed_on_mesh(const Caps& caps, double effective_modulus, const std::vector<double>& at,
                                         bool loads = true, double nodes = 1 << 20, const ContactOptions& options = {});
 

@@ -129,9 +129,8 @@ struct CapSearch : SearchRun {
     double seconds = 0; ///< wall time without verification
 };
 
-/// Runs a pipeline on a design with caps. Verifies by boundary elements the best answer whose genes have
-/// allowed values (GeneRange). Throws ga::UsageError on a pipeline that cannot work, NotConverged if no curve
-/// could be computed.
+/// Runs a pipeline on a design with caps. Verifies by boundary elements the best answer whose genes have allowed values
+/// (GeneRange). Throws ga::UsageError on a pipeline that cannot work, NotConverged if no curve could be computed.
 CapSearch search(const CapSetup& setup, const SearchOptionsOf<CapProblem>& options = {},
                  std::vector<ga::Observer<CapGenome>> observers = {});
 

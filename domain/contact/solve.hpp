@@ -89,11 +89,10 @@ ContactCurve solve_contact(const Profile& profile, const Body& body, const std::
 ContactCurve solve_contact_at_pressures(const Profile& profile, const Body& body, const std::vector<double>& pressures,
                                         const ContactOptions& options = {});
 
-/// The displacement (mm) at which the mean pressure is `pressure` (MPa, > 0). With a direct solver, the mean
-/// pressure there agrees with `pressure` to 12 digits, with a hardness to at least 8 digits. On a line
-/// without a hardness, iterative solvers, and `automatic` on more than 768 nodes, add 2 relative tolerances.
-/// So a curve to the result reaches `pressure`, and exceeds it by at most 3 tolerances. Throws the same as
-/// solve_contact_at_pressures().
+/// The displacement (mm) at which the mean pressure is `pressure` (MPa, > 0). With a direct solver, the mean pressure
+/// there agrees with `pressure` to 12 digits, with a hardness to at least 8 digits. On a line without a hardness,
+/// iterative solvers, and `automatic` on more than 768 nodes, add 2 relative tolerances. So a curve to the result
+/// reaches `pressure`, and exceeds it by at most 3 tolerances. Throws the same as solve_contact_at_pressures().
 double displacement_at_pressure(const Profile& profile, const Body& body, double pressure, ContactOptions options = {});
 
 /// Partial slip of a line under the constant normal load of the approach `displacement` (mm), with tractions

@@ -51,11 +51,10 @@ struct Morphed {
 /// On a map the required similarity is that of the surface (Verification::worst). If the change misses it, the
 /// targets are corrected once (corrected_targets).
 ///
-/// If the constraints cannot be met, the result is the genome whose largest misfit is the smallest. Limits on
-/// shape count as misfits. `control` names at least one chromosome. Only the phases of these chromosomes
-/// change. `largest_change` limits the change of a phase. It is a share of a turn, > 0 and <= 0.5. `required`
-/// is the required similarity on the set-up's grid. Throws what DesignProblem throws, and InputError on a
-/// genome without a response.
+/// If the constraints cannot be met, the result is the genome whose largest misfit is the smallest. Limits on shape
+/// count as misfits. `control` names at least one chromosome. Only the phases of these chromosomes change.
+/// `largest_change` limits the change of a phase. It is a share of a turn, > 0 and <= 0.5. `required` is the required
+/// similarity on the set-up's grid. Throws what DesignProblem throws, and InputError on a genome without a response.
 Morphed morph(const DesignSetup& setup, const Genome& genome, const std::vector<ChromosomeName>& control,
               double largest_change, double required = default_required_similarity);
 

@@ -36,11 +36,10 @@ struct SearchOptionsOf {
     long evaluations = std::numeric_limits<long>::max(); ///< maximum number of curves and gradients
     const std::atomic<bool>* stop = nullptr;             ///< true ends the search and its verification
     std::size_t alternatives = 3;                        ///< number of different answers, including the best
-    /// Maximum number of genomes from each source that are verified at the end; 1 if time is short. The
-    /// sources are the final population and the answers that the pipeline verified. For a profile they are
-    /// also the best individuals of all stages and the first given start. For a map at most two genomes of
-    /// each source are verified. If no source has a genome, the best of all stages is verified. (Only for
-    /// DesignProblem.)
+    /// Maximum number of genomes from each source that are verified at the end; 1 if time is short. The sources are the
+    /// final population and the answers that the pipeline verified. For a profile they are also the best individuals of
+    /// all stages and the first given start. For a map at most two genomes of each source are verified. If no source
+    /// has a genome, the best of all stages is verified. (Only for DesignProblem.)
     std::size_t verifying = 3;
     std::optional<CheckpointOptionsOf<P>> checkpoints = {}; ///< none: no checkpoints are written
     /// Curves that several searches of one set-up share (only for DesignProblem).

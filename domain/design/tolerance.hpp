@@ -59,10 +59,9 @@ struct Tolerance {
 /// correlation length of DesignSetup::errors. Eq. 11 does not rescale the heights of a draw, and displacement
 /// counts from the first touch of the draw.
 ///
-/// Noise is tried up to the height range, tilt up to 16 times the height range and scale up to 0.99. There
-/// are 1,000 draws of noise on lines of up to 4,096 nodes, and fewer on larger ones and maps. At least 40 are
-/// drawn, or 5 if time or price is short.
-/// Throws InputError if the design has no response.
+/// Noise is tried up to the height range, tilt up to 16 times the height range and scale up to 0.99. There are 1,000
+/// draws of noise on lines of up to 4,096 nodes, and fewer on larger ones and maps. At least 40 are drawn, or 5 if time
+/// or price is short. Throws InputError if the design has no response.
 Tolerance tolerance_of(const DesignSetup& setup, const Genome& genome, const ToleranceOptions& options = {});
 
 /// The lowest similarity under DesignSetup::errors. For noise it is the similarity that 95 % of the draws

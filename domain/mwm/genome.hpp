@@ -66,11 +66,10 @@ std::vector<double> genes(const Genome& genome);
 /// The genome with its genes replaced; `values` has as many as genes(genome).
 Genome with_genes(Genome genome, const std::vector<double>& values);
 
-/// Cross-over of length scales. Orders the chromosomes of each genome from the longest wavelength to the
-/// shortest. Cuts both lists at the same random places, `cuts` or as many as fit, and exchanges every second
-/// piece. A chromosome keeps its series' genes; A is multiplied by the genome's scale, which becomes 1.
-/// Afterwards, chromosomes with equal series genes form one series if their n differ. Each genome keeps its
-/// number of chromosomes.
+/// Cross-over of length scales. Orders the chromosomes of each genome from the longest wavelength to the shortest. Cuts
+/// both lists at the same random places, `cuts` or as many as fit, and exchanges every second piece. A chromosome keeps
+/// its series' genes; A is multiplied by the genome's scale, which becomes 1. Afterwards, chromosomes with equal series
+/// genes form one series if their n differ. Each genome keeps its number of chromosomes.
 void cross_points(Genome& a, Genome& b, std::size_t cuts, ga::Stream& stream);
 
 /// Orders the chromosomes as cross_points does. At each position of the shorter list, exchanges the two

@@ -25,9 +25,8 @@ std::vector<std::pair<double, double>> sobol_pairs(const DatabaseLayout& layout)
 /// dimension per column. The first point is skipped.
 std::vector<std::vector<double>> sobol_phases(int columns, int last);
 
-/// The genomes of the database, each of one series: each pair with every phase column in turn. Chromosomes
-/// are n = 1..n_f (Eq. 4). The phases of chromosome n are the n-th point of the phase sequence, one column
-/// per ridge.
+/// The genomes of the database, each of one series: each pair with every phase column in turn. Chromosomes are n =
+/// 1..n_f (Eq. 4). The phases of chromosome n are the n-th point of the phase sequence, one column per ridge.
 std::vector<Genome> sobol_database(const DatabaseLayout& layout);
 
 } // namespace rough

@@ -1,12 +1,10 @@
 #pragma once
 
 #include "domain/mwm/genome.hpp"
-
 #include "ga/base/json.hpp"
 
 /// @file
-/// Genomes in checkpoints: lossless, the scale as a separate number. (genome.hpp has the
-/// format of genome files.)
+/// Genomes in checkpoints: lossless, the scale as a separate number. (genome.hpp has the format of genome files.)
 namespace rough {
 
 /// @cond

@@ -9,11 +9,10 @@
 
 namespace rough {
 
-/// FFTW in one precision. Transforms are unnormalised. Plans transform `count` arrays of one shape, and back,
-/// and are never freed. An array of one row has one dimension. Complex arrays begin `apart` numbers after
-/// each other and are transformed in place. Real arrays follow each other without gaps. Their transforms have
-/// rows of columns/2 + 1 numbers and begin `apart` numbers after each other. Planning is not thread-safe;
-/// executing is.
+/// FFTW in one precision. Transforms are unnormalised. Plans transform `count` arrays of one shape, and back, and are
+/// never freed. An array of one row has one dimension. Complex arrays begin `apart` numbers after each other and are
+/// transformed in place. Real arrays follow each other without gaps. Their transforms have rows of columns/2 + 1
+/// numbers and begin `apart` numbers after each other. Planning is not thread-safe; executing is.
 template <typename Real>
 struct FftLibrary;
 

@@ -19,10 +19,9 @@ Genome in_harmonics(const Genome& genome, double length);
 /// A series of amplitude 1 without chromosomes, its genes moved into the set-up's bounds; lambda in mm.
 Series drawn_series(const DesignSetup& setup, double H, double gamma, double lambda);
 
-/// A random genome of two series: H in 0.5-1.5, gamma in 1.4-2, lambda near L, all within the set-up's
-/// bounds. Phases and the ratio of the amplitudes are random. The set-up gives the number of ridges. On a
-/// periodic line the genome has the harmonics of its length with one H. (A periodic map moves wave vectors
-/// instead, see plane_waves.)
+/// A random genome of two series: H in 0.5-1.5, gamma in 1.4-2, lambda near L, all within the set-up's bounds. Phases
+/// and the ratio of the amplitudes are random. The set-up gives the number of ridges. On a periodic line the genome has
+/// the harmonics of its length with one H. (A periodic map moves wave vectors instead, see plane_waves.)
 Genome drawn_start(const DesignSetup& setup, ga::Stream random);
 
 /// The genome with the amplitude at which its curve is the most similar to the first target. It is at most

@@ -22,9 +22,8 @@ class SurfaceWithErrors {
     /// Similarity with these errors of the heights (mm, N entries); -infinity without a response. Throws
     /// ga::Stopped if ContactOptions::stop ends the solution.
     double similarity(const Eigen::VectorXd& errors) const;
-    /// Misfits with these errors, and their derivatives with respect to the genes. `plain` are the rows of
-    /// the genome without errors, because under Eq. 11 the amplitude depends on the genes. Throws what
-    /// respond() throws.
+    /// Misfits with these errors, and their derivatives with respect to the genes. `plain` are the rows of the genome
+    /// without errors, because under Eq. 11 the amplitude depends on the genes. Throws what respond() throws.
     ga::Sensitivity misfits(const Eigen::VectorXd& errors, const Rows& plain) const;
 
   private:

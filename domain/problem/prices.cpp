@@ -41,15 +41,21 @@ double curve_time(const Model& model) {
 
 double relative_price(const Model& model, const Model& unit) { return curve_time(model) / curve_time(unit); }
 
-std::vector<ga::LevelPrice> level_prices(const Model& model, const Model& unit, std::size_t draws, bool smooth_area) {
-    Model steps = unit;
-    const Refinement by = verified_refinement(unit.grid);
-    steps.loading.steps *= by.steps;
-    const double search = relative_price(model, unit), made = search * static_cast<double>(1 + draws),
-                 finest = relative_price(refined(steps, by.nodes), unit);
+std::vector<ga::LevelPrice> level_prices(const Model& model, const Model& unit, int points, std::size_t draws,
+                                         bool smooth_area) {
+    const double search = relative_price(model, unit), made = search * static_cast<double>(1 + draws);
+    // The price on a grid `times` finer in n load steps.
+    const auto in_steps = [&](Index times, int n) {
+        Model finer = refined(unit, times);
+        finer.loading.steps = n;
+        return relative_price(finer, unit);
+    };
+    const int own = unit.loading.steps, about = 2 * points;
+    const Index finest = verified_refinement(unit.grid).nodes;
     const double evaluation = smooth_area ? gradient_price : 1; // smooth fractions come with the derivatives
     return {{"search", evaluation * search, gradient_price * search},
-            {"verified", relative_price(steps, unit) + finest, gradient_price * finest},
+            {"verified", in_steps(1, own) + in_steps(1, about) + in_steps(finest, own) + in_steps(finest, about),
+             gradient_price * in_steps(finest, own + 2 * about)},
             {"made", evaluation * made, gradient_price * made}};
 }
 

@@ -10,8 +10,10 @@ namespace rough {
 /// surface is a map, never on a clock.
 double relative_price(const Model& model, const Model& unit);
 
-/// Names and prices of the levels of a design (namespace level) in curves of `unit`. `draws` is the number of
-/// common errors of the level `made`; `smooth_area`: whether contact fractions are smooth (DesignSetup).
-std::vector<ga::LevelPrice> level_prices(const Model& model, const Model& unit, std::size_t draws, bool smooth_area);
+/// Names and prices of the levels of a design (namespace level) in curves of `unit`. `points` is the number of points
+/// of all targets, `draws` that of common errors of the level `made`; `smooth_area`: whether contact fractions are
+/// smooth (DesignSetup).
+std::vector<ga::LevelPrice> level_prices(const Model& model, const Model& unit, int points, std::size_t draws,
+                                         bool smooth_area);
 
 } // namespace rough

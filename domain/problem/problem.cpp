@@ -118,8 +118,10 @@ DesignProblem::DesignProblem(DesignSetup setup, std::shared_ptr<const Verifier> 
       memory_(std::move(memory)), descriptors_(surface_descriptors(setup_->model.grid)) {
     validate(*setup_);
     errors_ = std::make_shared<CommonErrors>(*setup_);
-    levels_ = level_prices(setup_->model, verifier_->setup().model, errors_->noise.size() + errors_->tilts.size(),
-                           setup_->smooth_area);
+    int points = 0;
+    for (const Target& target : setup_->targets) points += static_cast<int>(target.points());
+    levels_ = level_prices(setup_->model, verifier_->setup().model, points,
+                           errors_->noise.size() + errors_->tilts.size(), setup_->smooth_area);
     // A genome over the limits is ranked below every genome within them, by its excess.
     const auto limited = [](double similarity, const Outcome& outcome) {
         return outcome.excess > 0 ? std::min(similarity, 0.0) - 1 - outcome.excess : similarity;
@@ -249,8 +251,8 @@ std::vector<ga::Variable> DesignProblem::bounds(const Genome& genome) const {
 
 ga::Sensitivity DesignProblem::sensitivity(const Genome& genome, const std::string& objective) const {
     Genome shape = at_scale_one(genome, *setup_);
-    const Rows all = objective == "verified" ? misfit_rows(verifier_->finer(), shape, verifier_->finest())
-                                             : misfit_rows(*setup_, shape, setup_->model);
+    const Rows all =
+        objective == "verified" ? verifier_->misfit_rows(shape) : misfit_rows(*setup_, shape, setup_->model);
     std::vector<Index> chosen;
     Index first = 0;
     for (std::size_t t = 0; t < setup_->targets.size(); first += setup_->targets[t++].points())

@@ -89,10 +89,9 @@ class DesignProblem {
     /// Exchanges each chromosome with probability 1/2.
     void cross_uniform(Genome& a, Genome& b, ga::Stream& stream) const { rough::cross_uniform(a, b, stream); }
 
-    /// Bounds of every gene that may move. If the set-up gives `phases`, only phases move. Otherwise phases
-    /// move by up to half a turn and A by a factor of up to 10. H, gamma and lambda move within the set-up's
-    /// bounds. Gamma and lambda are bounded so that wavelengths stay within the limit. On a periodic grid
-    /// gamma and lambda are fixed.
+    /// Bounds of every gene that may move. If the set-up gives `phases`, only phases move. Otherwise phases move by up
+    /// to half a turn and A by a factor of up to 10. H, gamma and lambda move within the set-up's bounds. Gamma and
+    /// lambda are bounded so that wavelengths stay within the limit. On a periodic grid gamma and lambda are fixed.
     std::vector<ga::Variable> bounds(const Genome& genome) const;
     /// Misfits at the objective's points with exact derivatives, then one row per limit on shape. Contact
     /// fractions are smooth here (contact/interface.hpp), because a count of nodes has no derivative. For

@@ -30,7 +30,8 @@ CurveJacobian curve_jacobian(Quantity quantity, const Response& response, const 
         result.x.bottomRows(steps) = jacobian.pressure;
     else
         for (Index j = 0; j < steps; ++j)
-            result.x.row(j + 1) = static_cast<double>(j + 1) / static_cast<double>(steps) * jacobian.last_displacement;
+            result.x.row(j + 1) =
+                response.displacement[j] / response.displacement[steps - 1] * jacobian.last_displacement;
     return result;
 }
 
@@ -168,14 +169,6 @@ double similarity(const DesignSetup& setup, const Genome& genome, Index refine) 
 Genome in_final_form(const DesignSetup& setup, Genome genome) {
     if (setup.max_pressure) genome.scale = respond(setup, genome, setup.model).scale;
     return genome;
-}
-
-Response every(Index part, Response response) {
-    const Index steps = response.steps() / part;
-    for (auto* column : {&response.displacement, &response.pressure, &response.contact_fraction,
-                         &response.tangent_stiffness, &response.kkt_residual})
-        *column = Eigen::VectorXd((*column)(Eigen::seqN(part - 1, steps, part)));
-    return response;
 }
 
 ga::Sensitivity stacked(const std::vector<ga::Sensitivity>& parts) {

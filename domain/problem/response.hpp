@@ -67,9 +67,6 @@ Rows misfit_rows(const DesignSetup& setup, const Genome& genome, const Model& mo
 /// (rows x N) into derivatives with respect to genes. Throws what respond() throws.
 Rows misfit_rows(const DesignSetup& setup, const Profile& profile, const std::vector<Loading>& loadings,
                  const Model& model, const std::function<Eigen::MatrixXd(const Eigen::MatrixXd&)>& pull);
-/// Returns every `part`-th load step. As steps are equally spaced, a coarser curve has the same ones.
-Response every(Index part, Response response);
-
 /// The rows of all parts, at least one, in order.
 ga::Sensitivity stacked(const std::vector<ga::Sensitivity>& parts);
 

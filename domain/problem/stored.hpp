@@ -32,7 +32,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Grid, nodes, length, periodic, from, rows, wi
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Layer, thickness, modulus, poissons_ratio)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Layering, layers, rigid_base, poissons_ratio)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Body, kernel, effective_modulus, datum, strip_width, hardness, layering)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Loading, steps, reach, to_pressure, to_displacement, pressures)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Loading, steps, reach, to_pressure, to_displacement, pressures, shares)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ContactOptions, solver, tolerance, states, memory_limit)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Model, grid, body, loading, contact, accuracy)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Target, quantity, name, x, y, lower, upper, weight, recorded)

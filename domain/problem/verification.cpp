@@ -8,41 +8,66 @@ namespace rough {
 
 namespace {
 
-constexpr int map_steps = 4; ///< factor on the load steps of a map
-/// The largest error of an interpolated load step, relative to a secant in finer load steps.
-constexpr double interpolation_accuracy = 2e-3;
-
-/// Fills in the steps that are not solved. The pressure is a cubic through pressures and tangents of the
-/// solved steps next to them; all other columns are linear.
-Response interpolated(Response response, const std::vector<char>& solved) {
-    for (Index j = 0; j < response.steps(); ++j) {
-        if (solved[static_cast<std::size_t>(j)]) continue;
-        const Index a = j - (j + 1) % map_steps, b = a + map_steps;
-        const auto& D = response.displacement;
-        const double h = D[b] - D[a], t = (D[j] - D[a]) / h;
-        for (auto* column : {&response.pressure, &response.contact_fraction, &response.kkt_residual})
-            (*column)[j] = (1 - t) * (*column)[a] + t * (*column)[b];
-        const double secant = (response.pressure[b] - response.pressure[a]) / h;
-        const double before = response.tangent_stiffness[a] - secant, after = response.tangent_stiffness[b] - secant;
-        response.pressure[j] += h * t * (1 - t) * ((1 - t) * before - t * after);
-        response.tangent_stiffness[j] = (1 - t) * response.tangent_stiffness[a] + t * response.tangent_stiffness[b];
+/// The displacement at a pressure, mm, by the cubic through the pressures and tangents of the load steps about it.
+double displacement_at(const Response& response, double pressure) {
+    const auto& P = response.pressure;
+    const auto& D = response.displacement;
+    const Index b = std::min(std::lower_bound(P.begin(), P.end(), pressure) - P.begin(), response.steps() - 1),
+                a = b - 1;
+    const auto before = [&](const Eigen::VectorXd& column) { return b > 0 ? column[a] : 0; }; // unloaded
+    const double from = before(P), h = D[b] - before(D), rise = P[b] - from;
+    const double first = before(response.tangent_stiffness) * h - rise, last = response.tangent_stiffness[b] * h - rise;
+    double low = 0, high = 1;
+    for (int i = 0; i < 40; ++i) {
+        const double t = (low + high) / 2;
+        (from + t * rise + t * (1 - t) * ((1 - t) * first - t * last) < pressure ? low : high) = t;
     }
-    return response;
+    return D[b] - (1 - high) * h;
 }
 
-/// The finer load steps to solve on a finer grid, given a solution of all of them on this one. These are
-/// every fourth step, and the steps between if interpolation is not accurate there.
-std::vector<char> steps_to_solve(const Response& all) {
-    const Index count = all.steps();
-    std::vector<char> solved(static_cast<std::size_t>(count), 1);
-    for (Index j = map_steps; j < count; ++j) solved[static_cast<std::size_t>(j)] = (j + 1) % map_steps == 0;
-    const Response read = interpolated(all, solved);
-    for (Index a = map_steps - 1; a + map_steps < count; a += map_steps) {
-        const double error = (read.pressure - all.pressure).segment(a + 1, map_steps).cwiseAbs().maxCoeff();
-        const double step = (all.pressure[a + map_steps] - all.pressure[a]) / map_steps;
-        if (2 * error > interpolation_accuracy * step) std::fill_n(solved.begin() + a + 1, map_steps, char{1});
+/// Where a target is read: this many load steps, `width` of the last displacement apart, about each of its points. As
+/// shares of the last displacement, in rising order, without those closer than half a width to another or to a step of
+/// `own`.
+std::vector<double> shares_at(const DesignSetup& setup, const Loading& loading, const Response& own, double width,
+                              int count = 2) {
+    const double last = own.displacement.tail(1)[0], scale = eq_11(setup, own);
+    std::vector<double> shares(own.displacement.begin(), own.displacement.end());
+    for (double& share : shares) share /= last;
+    std::vector<double> wanted;
+    for (const Target& target : setup.targets) {
+        if (target.against_pressure() ? loading.to_displacement.has_value() : loading.to_pressure.has_value()) continue;
+        for (const double x : target.x) {
+            const double at = target.against_pressure() ? displacement_at(own, x / scale) : x / scale;
+            const double middle = std::clamp(at / last, width, 1 - width / 2);
+            for (int i = 0; i < count; ++i) wanted.push_back(middle + (i - (count - 1) / 2.) * width);
+        }
     }
-    return solved;
+    std::ranges::sort(wanted);
+    for (const double share : wanted)
+        if (share > 0 && share <= 1 &&
+            std::ranges::none_of(shares, [&](double one) { return std::abs(one - share) < width / 2 * (1 - 1e-9); }))
+            shares.push_back(share);
+    shares.erase(shares.begin(), shares.begin() + own.steps());
+    return shares;
+}
+
+/// How much a curve may change at each point of a target, relative to the target, within the load step there. For
+/// stiffness, the difference of the secant and the mean of the tangents at its ends; for contact area, half its change.
+Eigen::VectorXd change_in_step(const Target& target, const Response& response, const Curve& curve) {
+    const auto& P = response.pressure;
+    return target.x.binaryExpr(target.y, [&](double x, double y) {
+        const auto& at = target.against_pressure() ? P : response.displacement;
+        const Index b =
+            std::clamp(std::lower_bound(at.begin(), at.end(), x) - at.begin(), Index{1}, response.steps() - 1);
+        if (is_contact_fraction(target.quantity))
+            return std::abs(response.contact_fraction[b] - response.contact_fraction[b - 1]) / (2 * y);
+        if (target.quantity == Quantity::load_at_displacement) return 0.0;
+        const double secant = (P[b] - P[b - 1]) / (response.displacement[b] - response.displacement[b - 1]),
+                     tangent = response.tangent_stiffness.segment(b - 1, 2).mean(), value = curve.at(x);
+        // 1/K_i = 1/K - 1/K_full: a relative change of K changes K_i by K_i/K times as much.
+        const double by = target.quantity == Quantity::interface_stiffness ? value / secant : 1;
+        return by * std::abs(tangent / secant - 1) * value / y;
+    });
 }
 
 /// The set-up with the targets that its measured surface has by this response.
@@ -99,8 +124,8 @@ DesignSetup corrected_targets(DesignSetup setup, const std::vector<Eigen::Vector
 
 Refinement verified_refinement(const Grid& grid) {
     constexpr Index large = 512;
-    if (!grid.is_2d()) return {4, 16};
-    return {std::max(grid.nodes, grid.rows) >= large ? 2 : 4, map_steps};
+    if (!grid.is_2d()) return {4, 64};
+    return {std::max(grid.nodes, grid.rows) >= large ? 2 : 4, 16};
 }
 
 DesignSetup in_finer_steps(DesignSetup setup, int times) {
@@ -108,89 +133,96 @@ DesignSetup in_finer_steps(DesignSetup setup, int times) {
     return setup.measured ? with_measured(setup, respond(*setup.measured, setup.model)) : setup;
 }
 
-const Verifier::Finer& Verifier::finer_setups() const {
+double Verifier::width() const { return 1. / (setup_.model.loading.steps * by_.steps); }
+
+const DesignSetup& Verifier::finer() const {
     std::call_once(is_finer_known_, [&] {
-        finer_ = {setup_, setup_};
-        finer_.all.model.loading.steps *= by_.steps;
-        finer_.half.model.loading.steps *= by_.steps / 2;
-        if (setup_.measured) {
-            const Response response = respond(*setup_.measured, finer_.all.model);
-            finer_.all = with_measured(std::move(finer_.all), response);
-            finer_.half = with_measured(std::move(finer_.half), every(2, response));
-        }
+        finer_ = setup_;
+        if (!setup_.measured) return;
+        DesignSetup as_given = setup_;
+        as_given.max_pressure.reset();
+        Model model = setup_.model;
+        const Response own = respond(*setup_.measured, model);
+        model.loading.shares = shares_at(as_given, model.loading, own, width());
+        finer_ = with_measured(setup_, merged(own, respond(*setup_.measured, model)));
     });
     return finer_;
 }
 
-std::vector<Response> Verifier::on_fine_map(const Genome& genome,
-                                            const std::vector<std::vector<char>>& to_solve) const {
-    const Model model = finest();
-    const Profile map = sample(at_scale_one(genome, finer()), model.grid);
-    std::vector<Response> responses;
-    for (const Loading& loading : loadings_of(finer(), finer().model.loading)) {
-        const std::vector<double> displacements =
-            step_displacements(map, model.body, up_to_full_contact(loading, map, model), model.contact);
-        std::vector<LoadStep> steps(displacements.size());
-        std::vector<std::size_t> solved;
-        for (std::size_t j = 0; j < steps.size(); ++j) {
-            steps[j].displacement = displacements[j];
-            if (to_solve[responses.size()][j]) solved.push_back(j);
-        }
-        // The number of runs does not depend on the number of threads, so the results do not either.
-        constexpr std::size_t runs = 2;
+Verifier::Responses Verifier::responses_on(const Model& model, const Genome& genome) const {
+    const Profile surface = sample(at_scale_one(genome, setup_), model.grid);
+    const double range = displacement_range(surface, model.body.kernel),
+                 full = full_contact_stiffness(surface, model.body);
+    // The number of runs does not depend on the number of threads, so the results do not either.
+    const std::size_t runs = model.grid.is_2d() ? 2 : 1;
+    const auto solved = [&](const std::vector<double>& at) {
+        std::vector<ContactCurve> parts(runs);
         ga::parallel_for(runs, threads_, [&](std::size_t run) {
-            const std::size_t from = run * solved.size() / runs, to = (run + 1) * solved.size() / runs;
-            std::vector<double> at;
-            for (std::size_t k = from; k < to; ++k) at.push_back(displacements[solved[k]]);
-            const ContactCurve curve = solve_contact(map, model.body, at, model.contact);
-            for (std::size_t k = from; k < to; ++k) steps[solved[k]] = curve.steps[k - from];
+            const auto place = [&](std::size_t k) {
+                return at.begin() + static_cast<std::ptrdiff_t>(k * at.size() / runs);
+            };
+            parts[run] = solve_contact(surface, model.body, {place(run), place(run + 1)}, model.contact);
         });
-        responses.push_back(
-            interpolated(response_of(steps, model.contact.solver, displacement_range(map, model.body.kernel),
-                                     full_contact_stiffness(map, model.body)),
-                         to_solve[responses.size()]));
+        for (std::size_t run = 1; run < runs; ++run)
+            parts[0].steps.insert(parts[0].steps.end(), parts[run].steps.begin(), parts[run].steps.end());
+        return response_of(parts[0].steps, parts[0].solver, range, full);
+    };
+    Responses all;
+    for (const Loading& given : loadings_of(setup_, model.loading)) {
+        const Loading loading = up_to_full_contact(given, surface, model);
+        const Response own = solved(step_displacements(surface, model.body, loading, model.contact));
+        std::vector<double> between = shares_at(setup_, loading, own, width());
+        for (double& share : between) share *= own.displacement.tail(1)[0];
+        all.all.push_back(between.empty() ? own : merged(own, solved(between)));
+        all.own.push_back(own);
     }
-    return responses;
+    return all;
+}
+
+Rows Verifier::misfit_rows(const Genome& genome) const {
+    // Closer steps have hardly a node that begins to touch between them, and so no useful derivative.
+    const double apart = 1. / (16 * setup_.model.loading.steps);
+    std::optional<Verification> found = known(genome);
+    if (!found) found = of(genome);
+    if (std::isnan(found->worst)) throw ga::Stopped{"stop requested"};
+    const Model model = refined(setup_.model, by_.nodes);
+    std::vector<Loading> loadings = loadings_of(setup_, model.loading);
+    for (std::size_t l = 0; l < loadings.size(); ++l) {
+        std::vector<double>& shares = loadings[l].shares;
+        shares = shares_at(setup_, loadings[l], found->on_finer[l], apart, 4);
+        for (int j = 1; j <= model.loading.steps; ++j) shares.push_back(static_cast<double>(j) / model.loading.steps);
+        std::ranges::sort(shares);
+    }
+    Rows rows = rough::misfit_rows(finer(), sample(genome, model.grid), loadings, model,
+                                   [&](const Eigen::MatrixXd& all) { return pulled_back(all, genome, model.grid); });
+    for (Index at = 0; const Eigen::VectorXd& misfits : found->misfits[3]) {
+        rows.misfits.residuals.segment(at, misfits.size()) = misfits;
+        at += misfits.size();
+    }
+    return rows;
 }
 
 void Verifier::verify(const Genome& genome, Verification& result) const {
-    const bool is_map = setup_.model.grid.is_2d();
-    using Values = std::vector<Eigen::VectorXd>; // of each target
-    // The misfits in all steps, then in the set-up's, which are among them.
-    const auto misfits_in = [&](const std::vector<Response>& fine, std::size_t own_steps, std::size_t all_steps) {
-        std::vector<Response> found;
-        for (const Response& response : fine) found.push_back(every(by_.steps, response));
-        result.misfits[all_steps] = misfits_of(finer(), design_response(finer(), fine));
-        result.misfits[own_steps] = misfits_of(setup_, design_response(setup_, found));
-        return found;
+    std::vector<Eigen::VectorXd> own_steps;
+    const auto responses = [&](Index nodes, std::size_t which, std::vector<Response>& shown) {
+        Responses solved = responses_on(refined(setup_.model, nodes), genome);
+        DesignResponse all = design_response(finer(), solved.all);
+        result.misfits[which + 2] = misfits_of(finer(), all);
+        result.misfits[which] = misfits_of(setup_, design_response(setup_, solved.own));
+        own_steps = relative_values(finer(), design_response(finer(), solved.own));
+        shown = std::move(solved.own);
+        return all;
     };
-    const auto values_in = [](const DesignSetup& setup, std::vector<Response> responses) {
-        return relative_values(setup, design_response(setup, std::move(responses)));
-    };
-    const std::vector<Response> coarse = responses_of(finer(), genome, finer().model);
-    std::vector<std::vector<char>> to_solve;
-    const Values on_grid = values_in(finer(), coarse);
-    Values interpolation;
-    if (is_map) {
-        std::vector<Response> read;
-        for (const Response& response : coarse) {
-            to_solve.push_back(steps_to_solve(response));
-            read.push_back(interpolated(response, to_solve.back()));
-        }
-        interpolation = values_in(finer(), std::move(read));
-    }
-    result.on_grid = misfits_in(coarse, 0, 2);
-    const std::vector<Response> fine = is_map ? on_fine_map(genome, to_solve) : responses_of(finer(), genome, finest());
-    result.on_finer = misfits_in(fine, 1, 3);
-    std::vector<Response> half;
-    for (const Response& response : fine) half.push_back(every(2, response));
-    const Values finest = values_in(finer(), fine), in_half = values_in(finer_setups().half, std::move(half));
+    const std::vector<Eigen::VectorXd> on_grid = relative_values(finer(), responses(1, 0, result.on_grid));
+    const DesignResponse fine = responses(by_.nodes, 1, result.on_finer);
+    const std::vector<Eigen::VectorXd> finest = relative_values(finer(), fine);
     for (std::size_t t = 0; t < finest.size(); ++t) {
         const Target& target = finer().targets[t];
-        Eigen::VectorXd error =
-            with_neighbours((in_half[t] - finest[t]).cwiseAbs()) +
+        const Response& response = fine.responses[target.against_pressure() ? 0 : fine.responses.size() - 1];
+        const Eigen::VectorXd error =
+            with_neighbours((own_steps[t] - finest[t]).cwiseAbs()) / (by_.steps - 1) +
+            with_neighbours(change_in_step(target, response, fine.curves[t])) / 4 +
             with_neighbours((on_grid[t] - finest[t]).cwiseAbs()) / static_cast<double>(by_.nodes - 1);
-        if (is_map) error += (interpolation[t] - on_grid[t]).cwiseAbs();
         const auto moved_by = [&](double side) {
             return misfit(target, (finest[t] + side * error).cwiseProduct(target.y).eval());
         };

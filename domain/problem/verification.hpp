@@ -22,7 +22,7 @@ DesignSetup corrected_targets(DesignSetup setup, const std::vector<Eigen::Vector
 /// The factors of a finer model.
 struct Refinement {
     Index nodes; ///< on the nodes along each axis
-    int steps;   ///< on the load steps
+    int steps;   ///< on the load steps, about the points of the targets
 };
 /// The factors of the verification (domain/README.md, "Verified").
 Refinement verified_refinement(const Grid& grid);
@@ -85,14 +85,9 @@ class Verifier {
     explicit Verifier(DesignSetup setup, int threads = 1)
         : setup_(std::move(setup)), by_(verified_refinement(setup_.model.grid)), threads_(threads) {}
 
-    /// Verifies one genome. One solution on each grid in finer load steps gives all four similarities,
-    /// because the set-up's load steps are among the finer ones. On a fine map, steps between are
-    /// interpolated unless the same interpolation on the set-up's grid has an error above 2e-3 times a
-    /// secant.
-    ///
-    /// The estimated error (domain/README.md) has two parts. One is the change by the finer grid over the
-    /// factor less 1, the other that from half of the load steps to all. A point takes the largest change of
-    /// its neighbours and itself.
+    /// Verifies one genome. On each grid, the set-up's load steps are solved, then two load steps about each point of
+    /// the targets, as close as in finer load steps (Refinement). The curve there is read between these two. Each part
+    /// of the estimated error (domain/README.md, "Verified") is the largest at a point and its neighbours.
     ///
     /// If ContactOptions::stop ends the verification, the remaining similarities are NaN, and their misfits
     /// and responses are empty. Otherwise throws what respond() throws.
@@ -100,26 +95,28 @@ class Verifier {
     /// A genome's verification among the last 32 complete ones, or nothing.
     std::optional<Verification> known(const Genome& genome) const { return known_.find(key_of(setup_, genome)); }
     const DesignSetup& setup() const { return setup_; } ///< the set-up that was given
-    /// The model on the finer grid in the finer load steps.
-    Model finest() const { return refined(finer().model, by_.nodes); }
-    /// The set-up in the finer load steps. The finer response of a measured surface is solved on the
-    /// first call, because most problems never verify.
-    const DesignSetup& finer() const { return finer_setups().all; }
+    /// The misfits on the finer grid in the finer load steps. Their derivatives in the genes are those of secants four
+    /// times as wide (a map: as wide).
+    Rows misfit_rows(const Genome& genome) const;
+    /// The set-up with the targets that its measured surface has in the finer load steps. They are solved on the first
+    /// call, because most problems never verify.
+    const DesignSetup& finer() const;
 
   private:
-    struct Finer {
-        DesignSetup all = {};  ///< in the finer load steps
-        DesignSetup half = {}; ///< in every second of these
+    /// The responses to each loading.
+    struct Responses {
+        std::vector<Response> own = {}; ///< in the set-up's load steps
+        std::vector<Response> all = {}; ///< with those about the targets' points
     };
-    const Finer& finer_setups() const;
+    Responses responses_on(const Model& model, const Genome& genome) const;
+    double width() const; ///< of the load steps about a point, as a share of the last displacement
     void verify(const Genome& genome, Verification& result) const;
-    std::vector<Response> on_fine_map(const Genome& genome, const std::vector<std::vector<char>>& to_solve) const;
 
     DesignSetup setup_;
     Refinement by_;
     int threads_;
     mutable std::once_flag is_finer_known_;
-    mutable Finer finer_;
+    mutable DesignSetup finer_;
     mutable KeyedMemory<Verification> known_{32}; ///< under key_of()
 };
 

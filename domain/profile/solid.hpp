@@ -50,10 +50,9 @@ struct HeightImage {
     std::vector<std::pair<std::string, double>> scale; ///< text chunks of the file: name and value
 };
 
-/// The picture of a map, or of a profile extended in the second direction like its solid. Heights are not
-/// magnified. x is to the right and y upwards, as seen from above. The height (mm) of a pixel is
-/// lowest_height_mm + grey * height_per_grey_mm, to half a grey level. Black (grey 0) is the lowest node and
-/// white (65535) the highest.
+/// The picture of a map, or of a profile extended in the second direction like its solid. Heights are not magnified. x
+/// is to the right and y upwards, as seen from above. The height (mm) of a pixel is lowest_height_mm + grey *
+/// height_per_grey_mm, to half a grey level. Black (grey 0) is the lowest node and white (65535) the highest.
 ///
 /// The text chunks have these two numbers, and spacing_mm and row_spacing_mm. Throws InputError on over 25
 /// million pixels, or over a million along a side.

@@ -55,9 +55,9 @@ CurveJacobian secant_jacobian(const Response& response, const ResponseJacobian& 
     const Eigen::VectorXd &P = response.pressure, &D = response.displacement;
     const Eigen::VectorXd step = D - rows_before(D), K = (P - rows_before(P)).cwiseQuotient(step);
     const Eigen::MatrixXd &dP = jacobian.pressure, dP_before = rows_before(dP);
-    // All steps are equal parts of the last displacement: dK = (dP_j - dP_{j-1} - K d step)/step.
-    const Eigen::MatrixXd rise =
-        dP - dP_before - K / static_cast<double>(response.steps()) * jacobian.last_displacement;
+    // All steps are parts of the last displacement: dK = (dP_j - dP_{j-1} - K d step)/step.
+    const double last = D[response.steps() - 1];
+    const Eigen::MatrixXd rise = dP - dP_before - K.cwiseProduct(step) / last * jacobian.last_displacement;
     return {0.5 * (dP + dP_before), rise.array().colwise() / step.array()};
 }
 

@@ -5,6 +5,7 @@
 #include "domain/numerics/statistics.hpp"
 
 #include <cstdio>
+#include <numeric>
 
 namespace rough {
 
@@ -28,6 +29,22 @@ Response response_of(const std::vector<LoadStep>& steps, Solver solver, double r
             all(&LoadStep::spot_width)};
 }
 
+Response merged(const Response& a, const Response& b) {
+    Response all = a;
+    std::vector<Index> order(static_cast<std::size_t>(a.steps() + b.steps()));
+    std::iota(order.begin(), order.end(), 0);
+    Eigen::VectorXd at(a.steps() + b.steps());
+    at << a.displacement, b.displacement;
+    std::ranges::sort(order, {}, [&](Index j) { return at[j]; });
+    for (auto column :
+         {&Response::displacement, &Response::pressure, &Response::contact_fraction, &Response::tangent_stiffness,
+          &Response::kkt_residual, &Response::largest_pressure, &Response::spot_width}) {
+        at << a.*column, b.*column;
+        all.*column = at(order);
+    }
+    return all;
+}
+
 double displacement_range(const Profile& profile, Kernel kernel) {
     if (profile.nodes() < 2)
         throw InputError("profile: it has " + std::to_string(profile.nodes()) + " nodes; use at least 2");
@@ -41,7 +58,9 @@ double displacement_range(const Profile& profile, Kernel kernel) {
 namespace {
 
 std::vector<double> even_steps(double last, const Loading& loading) {
-    std::vector<double> displacements;
+    std::vector<double> displacements = loading.shares;
+    for (double& share : displacements) share *= last;
+    if (!displacements.empty()) return displacements;
     for (int j = 1; j <= loading.steps; ++j) displacements.push_back(last * (static_cast<double>(j) / loading.steps));
     return displacements;
 }
@@ -141,7 +160,10 @@ ResponseWithGradient respond_with_gradient(const Profile& profile, const Body& b
         }
     }
 
-    // dP_j = (delta/L) [ w.dZ - sum(w) dZ_max + sum(w) (j/n) dDelta_last ], where (delta/L) sum(w) is the
+    const auto share = [&](Index j) {
+        return curve.steps[static_cast<std::size_t>(j)].displacement / curve.steps.back().displacement;
+    };
+    // dP_j = (delta/L) [ w.dZ - sum(w) dZ_max + sum(w) Delta_j/Delta_last dDelta_last ], where (delta/L) sum(w) is the
     // tangent stiffness.
     Eigen::MatrixXd d_pressure = Eigen::MatrixXd::Zero(steps, nodes);
     for (Index j = 0; j < steps; ++j) {
@@ -150,7 +172,7 @@ ResponseWithGradient respond_with_gradient(const Profile& profile, const Body& b
         if (step.tangent_stiffness == 0) // every node is held
             continue;
         const double cell = step.tangent_stiffness / state.tangent.sum(); // delta/L
-        d_pressure.row(j) = step.tangent_stiffness * (static_cast<double>(j + 1) / loading.steps) * d_last;
+        d_pressure.row(j) = step.tangent_stiffness * share(j) * d_last;
         d_pressure(j, highest) -= step.tangent_stiffness;
         for (std::size_t i = 0; i < state.nodes.size(); ++i)
             d_pressure(j, state.nodes[i]) += cell * state.tangent[static_cast<Index>(i)];
@@ -158,7 +180,7 @@ ResponseWithGradient respond_with_gradient(const Profile& profile, const Body& b
     SmoothArea smooth;
     if (with_area) smooth = smooth_area(profile, body, curve);
     for (Index j = 0; j < smooth.fraction.size(); ++j)
-        smooth.by_height.row(j) += smooth.by_displacement[j] * (static_cast<double>(j + 1) / loading.steps) * d_last;
+        smooth.by_height.row(j) += smooth.by_displacement[j] * share(j) * d_last;
     return {response_of(curve.steps, curve.solver, range, full_contact_stiffness(profile, body, options.threads)),
             {std::move(d_pressure), std::move(d_last), std::move(smooth.by_height)},
             std::move(smooth.fraction)};

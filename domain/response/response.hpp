@@ -7,25 +7,24 @@
 
 namespace rough {
 
-/// The load steps: the displacements Delta_j = (j/steps) Delta_last, j = 1..steps. Delta_last is
-/// `to_displacement` if it is given, otherwise that of `to_pressure` if this is given, otherwise reach *
-/// displacement_range().
+/// The load steps: the displacements Delta_j = (j/steps) Delta_last, j = 1..steps. Delta_last is `to_displacement` if
+/// it is given, otherwise that of `to_pressure` if this is given, otherwise reach * displacement_range().
 struct Loading {
     int steps = 20; ///< number of load steps n_t, >= 2
     /// In (0, 1], below 1 for the periodic kernel. Default: 1, periodic 0.95.
     std::optional<double> reach = {};
     std::optional<double> to_pressure = {};     ///< mean pressure at the last load step, MPa
     std::optional<double> to_displacement = {}; ///< displacement at the last load step, mm
-    /// Mean pressures of the load steps, MPa, > 0 and increasing. If they are given, they replace all members
-    /// above.
+    /// Mean pressures of the load steps, MPa, > 0 and increasing. If they are given, they replace all members above.
     std::vector<double> pressures = {};
+    /// Displacements over Delta_last, in (0, 1] and increasing. If they are given, they replace the even ones.
+    std::vector<double> shares = {};
 };
 
 /// Loading::reach or its default.
 double reach_of(const Loading& loading, Kernel kernel);
 
-/// Throws InputError if load steps are fewer than 2 and not given as pressures, or if their reach is outside
-/// its range.
+/// Throws InputError if load steps are fewer than 2 and not given as pressures, or if their reach is outside its range.
 void validate(const Loading& loading, Kernel kernel);
 
 /// The response of a profile to load steps. The unloaded state (0, 0) is not a row.
@@ -46,6 +45,9 @@ struct Response {
 
     Index steps() const { return displacement.size(); } ///< number of load steps
 };
+
+/// The load steps of two responses of one surface, by rising displacement.
+Response merged(const Response& a, const Response& b);
 
 /// The response with these load steps as rows; `range` in mm, `full_stiffness` in MPa/mm.
 Response response_of(const std::vector<LoadStep>& steps, Solver solver, double range,
@@ -111,9 +113,8 @@ struct Model {
     double accuracy = 0;
 };
 
-/// The complete model: the body gets its defaults for the grid's length, and `reach` that of the kernel. The
-/// grid becomes periodic if the kernel is periodic, and only then. Every other function takes complete
-/// models.
+/// The complete model: the body gets its defaults for the grid's length, and `reach` that of the kernel. The grid
+/// becomes periodic if the kernel is periodic, and only then. Every other function takes complete models.
 inline Model completed(Model model) {
     model.grid.periodic = model.body.kernel == Kernel::periodic;
     model.body = completed(model.body, model.grid.length);
@@ -146,8 +147,7 @@ using NamedValues = std::vector<std::pair<std::string, std::string>>;
 /// A number with 17 digits, which reads back exactly.
 std::string field_text(double value);
 
-/// A model as fields. Solver and tolerance are omitted, because solvers agree to the tolerance of
-/// their certificate.
+/// A model as fields. Solver and tolerance are omitted, because solvers agree to the tolerance of their certificate.
 NamedValues named_values(const Model& model);
 
 } // namespace rough

@@ -25,11 +25,10 @@ struct Table {
     const Number& at(std::size_t row, std::size_t column) const { return cells[row * columns + column]; }
 };
 
-/// Finds the table in a file's lines, which must outlive the table, with the separator and decimal mark that
-/// read the most rows. If every line is like "0,5", the table has one column if `one_column` is set,
-/// otherwise two. In a table of up to three columns, a shorter row has missing values at its end. Throws
-/// InputError with file and line on a line that is not a row and on a short row of a matrix. The limits are
-/// 1e7 rows and 2e7 numbers.
+/// Finds the table in a file's lines, which must outlive the table, with the separator and decimal mark that read the
+/// most rows. If every line is like "0,5", the table has one column if `one_column` is set, otherwise two. In a table
+/// of up to three columns, a shorter row has missing values at its end. Throws InputError with file and line on a line
+/// that is not a row and on a short row of a matrix. The limits are 1e7 rows and 2e7 numbers.
 Table read_table(const Lines& lines, const std::string& file, bool one_column);
 
 } // namespace rough

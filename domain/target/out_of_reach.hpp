@@ -15,11 +15,10 @@ struct StiffnessLimits {
 };
 StiffnessLimits stiffness_limits(const Model& model); ///< the limits for the model's grid and body
 
-/// The lowest and highest stiffness K, MPa/mm, that the scored curve of any surface can have at the pressure
-/// `share` P_nt. P_nt is the last load. The scored curve is the curve of secant_stiffness(). It is continued
-/// to 0 and P_nt with the slopes of its end segments. If all secants lie within `secants`, the limits are
-/// sharp.
-/// `steps` is the number of equal load steps, at least 2.
+/// The lowest and highest stiffness K, MPa/mm, that the scored curve of any surface can have at the pressure `share`
+/// P_nt. P_nt is the last load. The scored curve is the curve of secant_stiffness(). It is continued to 0 and P_nt with
+/// the slopes of its end segments. If all secants lie within `secants`, the limits are sharp. `steps` is the number of
+/// equal load steps, at least 2.
 StiffnessLimits scored_limits(const StiffnessLimits& secants, int steps, double share);
 
 /// The reason why no surface can match a target exactly, and an upper bound on the similarity.
@@ -39,10 +38,9 @@ struct OutOfReach {
 /// stiffness of a single node and the stiffness of full contact. K_i has no upper limit. From the middle of
 /// the first load step on, it is at least the K_i of a single node. On a periodic body K_i = K.
 ///
-/// The last pressure of K(P) is `max_pressure` (MPa, Eq. 11) if it is given, and otherwise the last pressure
-/// of all targets. A target passes a test if its band contains a curve that fulfils the condition. For each
-/// test that a target fails, returns the violation with the lowest bound. Returns nothing if contact sets may
-/// shrink (contact_sets_nest).
+/// The last pressure of K(P) is `max_pressure` (MPa, Eq. 11) if it is given, and otherwise the last pressure of all
+/// targets. A target passes a test if its band contains a curve that fulfils the condition. For each test that a target
+/// fails, returns the violation with the lowest bound. Returns nothing if contact sets may shrink (contact_sets_nest).
 ///
 /// On a free map contact sets only grow because of the signs of the inverse of H, which a test computes. On
 /// the grid of a periodic map it is not proven, and the reasons say so.

@@ -82,23 +82,21 @@ struct TargetScales {
     std::optional<double> shear_strength = {};
 };
 
-/// The columns of a conductance: thermal (conductance_W_per_m2K) if the scales have a thermal resistivity,
-/// electrical (conductance_S_per_m2) if they have a resistivity. A conductance per nominal area is C = 2
-/// K_i/(E* (rho_1 + rho_2)), with the interface stiffness K_i (Barber 2003). Throws InputError if the scales
-/// have neither or both.
+/// The columns of a conductance: thermal (conductance_W_per_m2K) if the scales have a thermal resistivity, electrical
+/// (conductance_S_per_m2) if they have a resistivity. A conductance per nominal area is C = 2 K_i/(E* (rho_1 + rho_2)),
+/// with the interface stiffness K_i (Barber 2003). Throws InputError if the scales have neither or both.
 WrittenColumns conductance_columns(const TargetScales& scales);
 
-/// Reads a target file: CSV, header first, columns in any order. The header determines the separator: comma,
-/// semicolon or tab. Semicolons and tabs allow decimal commas. It has one x column (pressure_MPa or
-/// displacement_mm), one y column (contact_fraction, stiffness_MPa_per_mm, interface_stiffness_MPa_per_mm, a
-/// conductance; with displacement_mm also pressure_MPa) and optionally lower and upper. A column name may
-/// state another unit. A pressure may be in Pa, kPa, MPa, GPa, bar or psi. A load in uN, mN, N or kN is
-/// divided by the nominal area. A displacement may be in any unit of length, e.g. displacement_um. A contact
-/// area may be in percent (contact_percent), or in the square of a length, e.g. area_mm2. With a shear
-/// strength sigma, friction_N or shear_MPa (friction over the nominal area) is divided by sigma and gives the
-/// contact area. normal_N is a load. A stiffness is a pressure or a load per length, e.g. stiffness_N_per_um.
-/// A conductance is that of conductance_columns(). Lines "# key: value" record the model. Throws InputError
-/// that names file and line or column.
+/// Reads a target file: CSV, header first, columns in any order. The header determines the separator: comma, semicolon
+/// or tab. Semicolons and tabs allow decimal commas. It has one x column (pressure_MPa or displacement_mm), one y
+/// column (contact_fraction, stiffness_MPa_per_mm, interface_stiffness_MPa_per_mm, a conductance; with displacement_mm
+/// also pressure_MPa) and optionally lower and upper. A column name may state another unit. A pressure may be in Pa,
+/// kPa, MPa, GPa, bar or psi. A load in uN, mN, N or kN is divided by the nominal area. A displacement may be in any
+/// unit of length, e.g. displacement_um. A contact area may be in percent (contact_percent), or in the square of a
+/// length, e.g. area_mm2. With a shear strength sigma, friction_N or shear_MPa (friction over the nominal area) is
+/// divided by sigma and gives the contact area. normal_N is a load. A stiffness is a pressure or a load per length,
+/// e.g. stiffness_N_per_um. A conductance is that of conductance_columns(). Lines "# key: value" record the model.
+/// Throws InputError that names file and line or column.
 Target read_target(const std::filesystem::path& file, const TargetScales& scales = {});
 
 /// The text of a target's file, in the units of columns_of(target), with 17 digits.

@@ -91,10 +91,9 @@ Summits summits(const SpectralMoments& moments);
 TheoryCurve greenwood_williamson(const SpectralMoments& moments, double effective_modulus,
                                  const Eigen::VectorXd& pressures);
 
-/// Bush, Gibson & Thomas (1975, Wear 35, 87): each summit is an elliptic paraboloid, a Hertz contact that
-/// does not influence another. Curvatures and heights have the joint distribution of the summits of an
-/// isotropic Gaussian surface (Longuet-Higgins 1957, Nayak 1971). NaN if the separation of the mean planes is
-/// below 0.
+/// Bush, Gibson & Thomas (1975, Wear 35, 87): each summit is an elliptic paraboloid, a Hertz contact that does not
+/// influence another. Curvatures and heights have the joint distribution of the summits of an isotropic Gaussian
+/// surface (Longuet-Higgins 1957, Nayak 1971). NaN if the separation of the mean planes is below 0.
 TheoryCurve bush_gibson_thomas(const SpectralMoments& moments, double effective_modulus,
                                const Eigen::VectorXd& pressures);
 

@@ -111,7 +111,7 @@ TEST_CASE("an area's answer without time to verify it has a curve and a note", "
         CHECK(std::any_of(found.notes.begin(), found.notes.end(),
                           [](const std::string& note) { return note.find("lack of time") != std::string::npos; }));
         const Trust verified = trust_in(setup, best.genome, {.phase_draws = 0}, &best, &own);
-        CHECK(verified.left_out == std::vector<std::string>{"4 times the nodes", "4 times the load steps"});
+        CHECK(verified.left_out == std::vector<std::string>{"4 times the nodes", "16 times the load steps"});
         CHECK(std::all_of(verified.checks.begin(), verified.checks.end(),
                           [](const Check& check) { return std::isfinite(check.similarity); }));
         CHECK(verified.peak_pressure == verified.last.pressure.maxCoeff());

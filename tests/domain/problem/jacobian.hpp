@@ -41,8 +41,8 @@ inline std::array<double, 4> separate_similarities(const DesignSetup& setup, con
 
 /// All values at which a misfit has a corner: contact sets, extreme nodes, the segment of each point, the
 /// band.
-inline std::vector<double> corners(const DesignSetup& setup, const Genome& genome, Index refine) {
-    const Model model = refined(setup.model, refine);
+inline std::vector<double> corners(const DesignSetup& setup, const Genome& genome) {
+    const Model& model = setup.model;
     std::vector<double> marks;
     const DesignResponse response = respond(setup, genome, model);
     for (const Response& one : response.responses)
@@ -65,11 +65,6 @@ inline std::vector<double> corners(const DesignSetup& setup, const Genome& genom
     return marks;
 }
 
-/// The corners of every curve that an objective uses.
-inline std::vector<double> corners(const DesignSetup& setup, const Genome& genome, const std::string& objective) {
-    return objective == "verified" ? corners(Verifier(setup).finer(), genome, 4) : corners(setup, genome, 1);
-}
-
 /// Checks the Jacobian of an objective against central differences. A gene is omitted if a corner lies
 /// between the differences; more than half must remain.
 inline void check_jacobian(const DesignSetup& setup, const Genome& start, const std::string& objective,
@@ -79,13 +74,13 @@ inline void check_jacobian(const DesignSetup& setup, const Genome& start, const 
     const ga::Sensitivity all = problem.sensitivity(genome, objective);
     const double largest = all.jacobian.cwiseAbs().maxCoeff();
     const auto values = problem.genes(genome);
-    const auto base = corners(setup, genome, objective);
+    const auto base = corners(setup, genome);
     int kept = 0;
     for (std::size_t g = 0; g < values.size(); ++g) {
         const double h = 1e-7 * std::max(1.0, std::abs(values[g]));
         const Genome above = problem.with_genes(genome, moved(values, g, h)),
                      below = problem.with_genes(genome, moved(values, g, -h));
-        if (corners(setup, above, objective) != base || corners(setup, below, objective) != base) continue;
+        if (corners(setup, above) != base || corners(setup, below) != base) continue;
         ++kept;
         const Eigen::VectorXd difference =
             (problem.sensitivity(above, objective).residuals - problem.sensitivity(below, objective).residuals) /

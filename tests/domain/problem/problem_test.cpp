@@ -29,12 +29,11 @@ TEST_CASE("derivatives of misfits agree with differences in every gene, with and
     for (const bool free_amplitude : {false, true}) {
         DesignSetup setup = drawn_setup(128, !free_amplitude);
         for (std::size_t ridges : {1u, 2u})
-            for (const char* objective : {"similarity", "low", "high", "verified"})
+            for (const char* objective : {"similarity", "low", "high"})
                 check_jacobian(setup, fitted_genome(random, setup, ridges), objective);
         setup.targets[0].quantity = Quantity::interface_stiffness;
         setup.targets[0].y *= 1.5;
-        for (const char* objective : {"similarity", "verified"})
-            check_jacobian(setup, fitted_genome(random, setup), objective);
+        check_jacobian(setup, fitted_genome(random, setup), "similarity");
     }
 }
 

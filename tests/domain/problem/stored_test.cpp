@@ -45,7 +45,7 @@ TEST_CASE("a set-up's description depends on every number that affects a result,
     auto& [grid, body, loading, contact, accuracy] = model;
     auto& [nodes, length, periodic, from, rows, width, from_y] = grid;
     auto& [kernel, modulus, datum, strip_width, hardness, layering] = body;
-    auto& [steps, reach, to_pressure, to_displacement, pressures] = loading;
+    auto& [steps, reach, to_pressure, to_displacement, pressures, shares] = loading;
     const auto may_affect = [&](auto& number) {
         const auto before = std::exchange(number, number.value_or(0) + 1);
         CHECK(description(other) != description(setup));

@@ -22,8 +22,8 @@ TEST_CASE("a verification agrees with four separate solutions") {
         const Verification verified = Verifier(setup).of(three_waves());
         CHECK(verified.similarity == Approx(similarity).epsilon(1e-9));
         CHECK(verified.refined == Approx(refined).epsilon(1e-9));
-        CHECK(verified.more_steps == Approx(stepped).epsilon(1e-9));
-        CHECK(verified.both == Approx(both).epsilon(1e-9));
+        CHECK(verified.more_steps == Approx(stepped).margin(0.01)); // its steps are elsewhere
+        CHECK(verified.both == Approx(both).margin(0.01));
         CHECK(verified.worst <= verified.both);
         CHECK(verified.worst == min_similarity(verified.largest));
         CHECK(verified.more_steps != Approx(verified.similarity).epsilon(1e-6));
@@ -120,15 +120,31 @@ TEST_CASE("settings that leave little to search are named before it, on lines an
     }
 }
 
-// The stiffness of a line rises steeply where a crest begins to touch. A search uses what its load steps do
-// not show.
-TEST_CASE("a line's verdict is at most 0.015 above its similarity in four times the load steps", "[long]") {
+TEST_CASE("the derivatives of the verified misfits predict a move of the gene that matters most") {
+    const DesignProblem problem(rough::testing::drawn_setup(512, true));
+    const ga::Sensitivity here = problem.sensitivity(three_waves(), "verified");
+    const auto values = problem.genes(three_waves());
+    CHECK(here.jacobian.col(0).norm() < 1e-9 * here.jacobian.norm()); // the amplitude, which Eq. 11 sets
+    double largest = 0, agreement = 0;
+    for (std::size_t g = 1; g < values.size(); ++g) {
+        const double by = 1e-3 * std::max(1.0, std::abs(values[g]));
+        const Genome moved = problem.with_genes(three_waves(), rough::testing::moved(values, g, by));
+        const Eigen::VectorXd change = problem.sensitivity(moved, "verified").residuals - here.residuals,
+                              expected = here.jacobian.col(static_cast<Index>(g));
+        if (change.norm() > largest) largest = change.norm(), agreement = change.dot(expected.normalized()) / largest;
+    }
+    CHECK(agreement > 0.9);
+}
+
+// The stiffness of a line rises steeply where a crest begins to touch. A search uses what a verification does not show.
+TEST_CASE("a line's verdict is at most its similarity on a grid four times finer still", "[long]") {
     for (const std::uint64_t seed : {1, 2, 3, 4, 5, 6}) {
         DesignSetup setup = rough::testing::drawn_setup(512, true);
         const Answer found = search(setup, {.seed = seed, .alternatives = 1}).best;
         const DesignSetup finest = in_finer_steps(setup, 64);
         const double truth = similarity(finest, respond(finest, found.genome, refined(finest.model, 16)));
         WARN("seed " << seed << ": similarity_worst " << found.worst << ", similarity " << truth);
-        CHECK(found.worst <= truth + 0.015);
+        CHECK(found.worst <= truth + 5e-4);
+        CHECK(truth - found.worst < 0.01);
     }
 }

@@ -15,7 +15,7 @@ TEST_CASE("the adjoint derivative of the pressures follows central differences i
     std::mt19937_64 random(11);
     for (const bool is_map : {false, true})
         for (Kernel kernel : {Kernel::free, Kernel::periodic, Kernel::strip})
-            for (const char* end : {"reach", "pressure", "displacement"}) {
+            for (const char* end : {"reach", "pressure", "displacement", "shares"}) {
                 if (is_map && kernel == Kernel::strip) continue;
                 INFO("kernel " << int(kernel) << ", load by " << end << (is_map ? ", map" : ""));
                 Model model = paper_model(128);
@@ -33,12 +33,15 @@ TEST_CASE("the adjoint derivative of the pressures follows central differences i
                 const Response whole = respond(genome, model);
                 if (end == std::string("pressure")) model.loading.to_pressure = 0.3 * whole.pressure.tail(1)[0];
                 if (end == std::string("displacement")) model.loading.to_displacement = 0.5 * whole.range;
+                if (end == std::string("shares")) model.loading.shares = {0.2, 0.5, 0.55, 0.9, 1};
                 const ResponseJacobian jacobian = testing::jacobian_of(genome, model);
                 testing::check_derivatives(
                     genome, model,
                     {{jacobian.pressure, [](const Response& response) { return response.pressure; }},
                      {jacobian.last_displacement,
-                      [](const Response& response) { return response.displacement.tail(1).eval(); }}});
+                      [](const Response& response) { return response.displacement.tail(1).eval(); }},
+                     {secant_jacobian(respond(genome, model), jacobian).y,
+                      [](const Response& response) { return secant_stiffness(response).y; }}});
             }
 }
 
