@@ -19,8 +19,7 @@ struct Budget {
     double max_failures = 0.9;
 };
 
-/// The expenses of a run so far. Only `evaluations`, `remembered` and `price` depend on the size of the
-/// memory.
+/// The expenses of a run so far. Only `evaluations`, `remembered` and `price` depend on the size of the memory.
 struct Counters {
     long requested = 0;         ///< requested evaluations and derivatives, including those answered from memory
     long evaluations = 0;       ///< calls of the problem's evaluate

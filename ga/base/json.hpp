@@ -7,10 +7,10 @@
 #include <utility>
 
 /// @file
-/// The only header that includes <nlohmann/json.hpp>: every source must convert numbers as is declared here.
+/// The only header that includes <nlohmann/json.hpp>. In every source, reading a whole number throws nlohmann's
+/// type_error if the JSON has a real number, which nlohmann converts even if it is NaN, or one outside the range.
 
-/// Whole numbers. Reading throws nlohmann's type_error if the JSON has a real number, which nlohmann converts even
-/// if it is NaN, or one outside the type's range.
+/// @cond
 template <class T>
 requires(std::integral<T> && !std::same_as<T, bool> && !std::same_as<T, char>) struct nlohmann::adl_serializer<T> {
     static void to_json(json& j, T value) { nlohmann::to_json(j, value); }
@@ -22,6 +22,7 @@ requires(std::integral<T> && !std::same_as<T, bool> && !std::same_as<T, char>) s
         nlohmann::from_json(j, value);
     }
 };
+/// @endcond
 
 namespace ga {
 

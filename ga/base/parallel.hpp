@@ -32,9 +32,8 @@ inline void expect_threads(int threads) {
     given = threads;
 }
 
-/// Runs job(i) for i = 0 .. n-1 on up to `threads` threads, in any order. A free thread takes the next
-/// `chunk` jobs. An exception does not stop the other jobs. The exception of the smallest i is thrown again
-/// at the end.
+/// Runs job(i) for i = 0 .. n-1 on up to `threads` threads, in any order. A free thread takes the next `chunk` jobs. An
+/// exception does not stop the other jobs. The exception of the smallest i is thrown again at the end.
 template <class Job>
 void parallel_for(std::size_t n, int threads, Job job, std::size_t chunk = 1) {
     std::exception_ptr error;
