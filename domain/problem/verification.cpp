@@ -25,9 +25,8 @@ double displacement_at(const Response& response, double pressure) {
     return D[b] - (1 - high) * h;
 }
 
-/// Where a target is read: this many load steps, `width` of the last displacement apart, about each of its points. As
-/// shares of the last displacement, in rising order, without those closer than half a width to another or to a step of
-/// `own`.
+/// This many load steps, `width` of the last displacement apart, about each point of the targets, as shares of the
+/// last displacement in rising order. Those closer than half a width to another or to a step of `own` are left out.
 std::vector<double> shares_at(const DesignSetup& setup, const Loading& loading, const Response& own, double width,
                               int count = 2) {
     const double last = own.displacement.tail(1)[0], scale = eq_11(setup, own);

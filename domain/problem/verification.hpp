@@ -85,9 +85,9 @@ class Verifier {
     explicit Verifier(DesignSetup setup, int threads = 1)
         : setup_(std::move(setup)), by_(verified_refinement(setup_.model.grid)), threads_(threads) {}
 
-    /// Verifies one genome. On each grid, the set-up's load steps are solved, then two load steps about each point of
-    /// the targets, as close as in finer load steps (Refinement). The curve there is read between these two. Each part
-    /// of the estimated error (domain/README.md, "Verified") is the largest at a point and its neighbours.
+    /// Verifies one genome. On each grid, the set-up's load steps are solved first. Then two load steps about each
+    /// point of the targets are solved, as close as in finer load steps (Refinement). The curve there is read between
+    /// them. Each part of its estimated error (domain/README.md, "Verified") is the largest of the nearest points.
     ///
     /// If ContactOptions::stop ends the verification, the remaining similarities are NaN, and their misfits
     /// and responses are empty. Otherwise throws what respond() throws.
@@ -109,7 +109,7 @@ class Verifier {
         std::vector<Response> all = {}; ///< with those about the targets' points
     };
     Responses responses_on(const Model& model, const Genome& genome) const;
-    double width() const; ///< of the load steps about a point, as a share of the last displacement
+    double width() const; ///< distance of two load steps about a point, as a share of the last displacement
     void verify(const Genome& genome, Verification& result) const;
 
     DesignSetup setup_;

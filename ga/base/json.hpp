@@ -7,8 +7,8 @@
 #include <utility>
 
 /// @file
-/// The only header that includes <nlohmann/json.hpp>. In every source, reading a whole number throws nlohmann's
-/// type_error if the JSON has a real number, which nlohmann converts even if it is NaN, or one outside the range.
+/// The only header that includes <nlohmann/json.hpp>. A whole number is read from a whole number of its range only;
+/// others throw nlohmann's type_error. By itself, nlohmann converts any real number, even NaN, which is undefined.
 
 /// @cond
 template <class T>
