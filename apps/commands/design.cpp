@@ -70,8 +70,8 @@ rough::Tolerance kept_tolerance(const DesignRun& run, const std::filesystem::pat
     const rough::Genome& genome = run.found.best.genome;
     const rough::DesignSetup setup = toleranced(run);
     const std::string key =
-        rough::json_text({run.origin.inputs, rough::description(setup), rough::genome_to_json(genome),
-                          run.options.seed, options.price, options.draws ? nlohmann::json(*options.draws) : nullptr},
+        rough::json_text({run.origin.inputs, rough::description(setup), rough::genome_to_json(genome), run.options.seed,
+                          options.price, options.draws ? nlohmann::json(*options.draws) : nullptr},
                          true);
     if (run.options.checkpoints->resume && std::filesystem::exists(ga::held_path(file))) try {
             const nlohmann::json kept = ga::read_cbor(ga::opened(file), file);

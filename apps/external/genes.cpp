@@ -1,9 +1,9 @@
 #include "apps/external/genes.hpp"
 
 #include "domain/text/json.hpp"
+#include "ga/base/json.hpp"
 
 #include <boost/algorithm/string.hpp>
-#include "ga/base/json.hpp"
 
 namespace app {
 

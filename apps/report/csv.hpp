@@ -1,7 +1,6 @@
 #pragma once
 
 #include "domain/accuracy/resolution.hpp"
-
 #include "ga/base/json.hpp"
 
 namespace app {

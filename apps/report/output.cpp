@@ -4,9 +4,8 @@
 #include "domain/text/atomic_file.hpp"
 #include "domain/text/json.hpp"
 #include "ga/base/held_folder.hpp"
-#include "ga/problem/fingerprint.hpp"
-
 #include "ga/base/json.hpp"
+#include "ga/problem/fingerprint.hpp"
 
 #include <cerrno>
 #include <cinttypes>

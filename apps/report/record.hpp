@@ -2,9 +2,8 @@
 
 #include "domain/mwm/genome.hpp"
 #include "domain/response/response.hpp"
-#include "ga/run/state.hpp"
-
 #include "ga/base/json.hpp"
+#include "ga/run/state.hpp"
 
 namespace rough {
 struct AccuracyReport;

@@ -8,7 +8,6 @@
 #include "domain/mwm/sampling.hpp"
 #include "domain/profile/roughness.hpp"
 #include "domain/text/atomic_file.hpp"
-
 #include "ga/base/json.hpp"
 
 namespace app {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "apps/experiments/trial.hpp"
-
 #include "ga/base/json.hpp"
 
 #include <atomic>

@@ -1,7 +1,8 @@
 #include "ga/adaptation/cma_es.hpp"
 
-#include <Eigen/Eigenvalues>
 #include "ga/base/json.hpp"
+
+#include <Eigen/Eigenvalues>
 
 namespace ga {
 

@@ -1,8 +1,7 @@
 #pragma once
 
-#include "ga/pipeline/stage.hpp"
-
 #include "ga/base/json.hpp"
+#include "ga/pipeline/stage.hpp"
 
 namespace ga {
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "ga/adaptation/differential_evolution.hpp"
-
 #include "ga/base/json.hpp"
 
 #include <numbers>

@@ -1,8 +1,7 @@
 #pragma once
 
-#include "ga/variation/mutate.hpp"
-
 #include "ga/base/json.hpp"
+#include "ga/variation/mutate.hpp"
 
 namespace ga {
 

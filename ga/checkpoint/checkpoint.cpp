@@ -1,7 +1,7 @@
 #include "ga/checkpoint/checkpoint.hpp"
 
-#include "ga/base/json.hpp"
 #include "ga/base/held_folder.hpp"
+#include "ga/base/json.hpp"
 
 #include <cerrno>
 #include <cstdio>

@@ -1,9 +1,8 @@
 #pragma once
 
 #include "ga/base/held_folder.hpp"
-#include "ga/pipeline/run.hpp"
-
 #include "ga/base/json.hpp"
+#include "ga/pipeline/run.hpp"
 
 #include <fstream>
 

@@ -91,10 +91,10 @@ inline Ended rugosa(const std::string& words) { return rugosa(words, Folder().pa
 inline Ended disturbed(const std::string& words, const std::filesystem::path& where, const std::string& sign,
                        const std::string& commands, const std::string& by = "") {
     const Folder logs;
-    const auto script = logs.write("disturb.sh", "cd '" + where.string() + "'\n" + by + " '" RUGOSA_PROGRAM "' " +
-                                                     words + " >'" + (logs / "out").string() + "' 2>'" +
-                                                     (logs / "err").string() + "' & child=$!\nuntil " + sign +
-                                                     " || ! kill -0 $child; do sleep 0.002; done\n" + commands + "; wait $child\n");
+    const auto script = logs.write(
+        "disturb.sh", "cd '" + where.string() + "'\n" + by + " '" RUGOSA_PROGRAM "' " + words + " >'" +
+                          (logs / "out").string() + "' 2>'" + (logs / "err").string() + "' & child=$!\nuntil " + sign +
+                          " || ! kill -0 $child; do sleep 0.002; done\n" + commands + "; wait $child\n");
     const int status = std::system(("bash '" + script.string() + "' 2>/dev/null").c_str());
     return {WEXITSTATUS(status), rough::read_whole(logs / "out"), rough::read_whole(logs / "err"), 0};
 }

@@ -1,9 +1,8 @@
 #pragma once
 
 #include "domain/database/store.hpp"
-#include "tests/apps/program.hpp"
-
 #include "ga/base/json.hpp"
+#include "tests/apps/program.hpp"
 
 #include <regex>
 #include <sstream>

@@ -1,7 +1,6 @@
 #include "apps/python/module/python.hpp"
 #include "domain/mwm/sampling.hpp"
 #include "domain/text/json.hpp"
-
 #include "ga/base/json.hpp"
 
 namespace rugosa::python {

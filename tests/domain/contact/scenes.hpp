@@ -2,9 +2,8 @@
 
 #include "domain/contact/solve.hpp"
 #include "domain/mwm/test_surfaces.hpp"
-#include "tests/catch.hpp"
-
 #include "ga/base/json.hpp"
+#include "tests/catch.hpp"
 
 #include <fstream>
 #include <random>

@@ -1,8 +1,7 @@
 #include "domain/errors.hpp"
+#include "ga/base/json.hpp"
 #include "tests/domain/derivatives.hpp"
 #include "tests/domain/random_genome.hpp"
-
-#include "ga/base/json.hpp"
 
 using namespace rough;
 using testing::random_genome;

@@ -1,9 +1,8 @@
 #include "domain/errors.hpp"
 #include "domain/text/json.hpp"
 #include "domain/text/words.hpp"
-#include "tests/catch.hpp"
-
 #include "ga/base/json.hpp"
+#include "tests/catch.hpp"
 
 using namespace rough;
 
