@@ -2,6 +2,7 @@
 #include "apps/external/problem.hpp"
 #include "apps/prompt/terminal.hpp"
 #include "apps/prompt/units.hpp"
+#include "apps/report/history.hpp"
 #include "apps/report/output.hpp"
 #include "apps/report/record.hpp"
 #include "domain/text/atomic_file.hpp"
@@ -22,6 +23,7 @@ struct SearchByChildren : OutsideSearch {
     bool resume = false;     ///< continue from the checkpoint
     nlohmann::json inputs;   ///< see Origin
     std::string description; ///< all that decides the result besides pipeline and seed
+    History history;         ///< of all evaluations
 };
 
 template <class P>
@@ -53,7 +55,8 @@ void search_by_children(SearchByChildren& search, Children& children, const std:
     stage_of<P>(search, 2); // refuses a wrong text before anything is started
 
     // The first success among the genomes that a leading `sample` draws tells how many objectives there are.
-    ByChildren<P> evaluator(children);
+    ByChildren<P> by_children(children);
+    WithHistory<P> evaluator(by_children, search.history);
     ga::RunOptions run;
     run.seed = search.seed;
     run.budget = {search.evaluations, search.seconds, &Interrupt::flag(), search.max_failures};
@@ -84,12 +87,14 @@ void search_by_children(SearchByChildren& search, Children& children, const std:
                                                : draws_alike         ? leading_sample(search.searched)
                                                                      : 0);
     const long extra = std::max(0L, search.spent - drawn_again); // evaluations that the run does not count
+    search.history.begin(objectives, static_cast<std::size_t>(drawn_again));
     run.variant = search.variant = variant_of(search, objectives);
     run.budget.evaluations = search.evaluations - extra;
     run.budget.seconds = search.seconds - clock.seconds();
     ga::Checkpoints<P> keeper(checkpoint, search.description + " " + std::to_string(objectives), search.resume,
                               checkpoint_interval());
     keeper.keep("record", children.record);
+    keeper.keep("history", search.history.written);
     const auto show = [&](const std::string& text) { progress.show(text); };
     book(ga::run_by(evaluator, stage, problem, start, run, {ga::progress<G>(show)}, &keeper), extra);
 }
@@ -99,20 +104,22 @@ using nlohmann::json;
 std::vector<Setting> optimise_settings() {
     Setting minimise("minimise", "", "lower is better: for all objectives, or only for those that X = 1,3 names");
     minimise.alone = "all";
-    return joined({{{"genes", "",
-                     "genome: real:COUNT:LOWER:UPPER (:log or :STEP may follow), int:COUNT:FROM:TO and "
-                     "choice:COUNT:WORD:WORD:..., with commas between, or bits:COUNT, or permutation:COUNT (of 0, 1, "
-                     "...)"},
-                    {"evaluate", "", "program that evaluates, with its arguments; quotes as in a shell, but no shell"},
-                    {"start", "", "file of genomes to begin with, one per line, with commas between their genes"},
-                    minimise,
-                    positive("timeout", "60", "maximum seconds for one evaluation"),
-                    whole("threads", "0", 0, 1024,
-                          "number of child processes, which evaluate at the same time; 0: one per processor"),
-                    {"out", "", "folder for result.json [out/optimise]"},
-                    Setting("resume", "", "continue the interrupted run in the folder given by --out", true),
-                    force_setting()},
-                   outside_settings()});
+    return joined(
+        {{{"genes", "",
+           "genome: real:COUNT:LOWER:UPPER (:log or :STEP may follow), int:COUNT:FROM:TO and "
+           "choice:COUNT:WORD:WORD:..., with commas between, or bits:COUNT, or permutation:COUNT (of 0, 1, "
+           "...)"},
+          {"evaluate", "", "program that evaluates, with its arguments; quotes as in a shell, but no shell"},
+          {"start", "", "file of genomes to begin with, one per line, with commas between their genes"},
+          minimise,
+          positive("timeout", "60", "maximum seconds for one evaluation"),
+          whole("threads", "0", 0, 1024,
+                "number of child processes, which evaluate at the same time; 0: one per processor"),
+          {"history", "", "file (CSV) for all evaluations: generation, genes, objectives, violation, failure"},
+          {"out", "", "folder for result.json [out/optimise]"},
+          Setting("resume", "", "continue the interrupted run in the folder given by --out", true),
+          force_setting()},
+         outside_settings()});
 }
 
 json solution_json(const Solution& solution) {
@@ -183,6 +190,10 @@ SearchByChildren search_from(const Settings& settings) {
                                            settings.text("evaluate"), search.minimise, search.levels},
                                           true);
     search.resume = resumes(settings);
+    if (settings.has("history"))
+        search.history = {search.resume ? std::filesystem::path(settings.text("history"))
+                                        : expect_writable(settings.text("history"), settings, "--history"),
+                          search.resume};
     return search;
 }
 

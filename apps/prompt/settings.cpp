@@ -247,7 +247,7 @@ std::vector<std::filesystem::path> Settings::files() const {
     std::vector<std::filesystem::path> all;
     std::error_code error;
     for (const auto& [name, value] : given_)
-        if (name != "out" && name != "report" && name != "draw")
+        if (name != "out" && name != "report" && name != "draw" && name != "history")
             for (const auto& path : paths(name))
                 if (std::filesystem::is_regular_file(path, error)) all.push_back(path);
     return all;

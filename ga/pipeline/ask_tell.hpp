@@ -62,6 +62,13 @@ class AskTell : Evaluator<P> {
         const std::lock_guard lock(guard_);
         return id >= first_ && id - first_ < calls_.size() ? calls_[id - first_].level : Level{};
     }
+    /// The generation at an open proposal (see EvaluationCall); empty for another.
+    std::vector<std::size_t> generation_of(std::size_t id) {
+        const std::lock_guard lock(guard_);
+        if (id < first_ || id - first_ >= calls_.size()) return {};
+        const auto generation = calls_[id - first_].generation;
+        return {generation.begin(), generation.end()};
+    }
     /// Answers an open proposal. Throws UsageError if the proposal is not open. A stopped run ignores
     /// answers.
     void tell(std::size_t id, Outcome outcome) { answer(id, std::move(outcome)); }

@@ -18,12 +18,12 @@ class Search {
   public:
     using Genome = typename P::Genome; ///< genome of the problem
 
-    /// Prepares a search. `moving` are the genes that move, `limit` is the maximum price of requests. The
-    /// problem, the queue, the watch and the individual must outlive the search.
+    /// Prepares a search. `moving` are the genes that move, `limit` is the maximum price of requests, `generation` as
+    /// in EvaluationCall. The problem, the queue, the watch and the individual must outlive the search.
     Search(const P& problem, EvaluationQueue<P>& queue, const Watch& watch, const Individual<Genome>& individual,
-           std::vector<Variable> moving, double limit)
+           std::vector<Variable> moving, double limit, std::vector<std::size_t> generation = {})
         : problem_(problem), queue_(queue), watch_(watch), individual_(individual), moving_(std::move(moving)),
-          limit_(limit), genes_(genes_of(problem, individual.genome)) {
+          limit_(limit), generation_(std::move(generation)), genes_(genes_of(problem, individual.genome)) {
         for (const Variable& variable : moving_) {
             if (variable.gene >= genes_.size())
                 throw UsageError("refine: gene " + std::to_string(variable.gene) +
@@ -107,6 +107,7 @@ class Search {
         if (!x.allFinite()) return found;
         const Genome genome = at(x);
         EvaluationRequest<P> request;
+        request.generation = generation_;
         request.outcomes.push_back({&genome, true, 0, objective().level});
         request.use = [&] {
             const auto& wanted = request.outcomes.front();
@@ -149,6 +150,7 @@ class Search {
     const Individual<Genome>& individual_;
     std::vector<Variable> moving_;
     double limit_, spent_ = 0; ///< prices
+    std::vector<std::size_t> generation_;
     std::vector<double> genes_;
     std::vector<Eigen::Index> places_; ///< indices of the genes that move
     std::size_t objective_ = 0;
@@ -213,7 +215,8 @@ struct Refine : Operator {
         const int threads = context.ledger().evaluator().threads();
         Rounds<P>::run(jobs.size(), context.queue(), threads, [&](std::size_t i, EvaluationQueue<P>& queue) {
             const double limit = share + (static_cast<double>(i) < rest ? 1 : 0);
-            Search<P> search(context.problem(), queue, context.watch(), *jobs[i], std::move(genes[i]), limit);
+            Search<P> search(context.problem(), queue, context.watch(), *jobs[i], std::move(genes[i]), limit,
+                             context.position.generations());
             found[i] = search.by(method, context.stream(i)());
             missing[i] = search.missing_derivative();
         });

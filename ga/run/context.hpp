@@ -335,6 +335,7 @@ class Context {
     /// Makes the requested evaluations. If the run has to stop, stores this population as its result and
     /// throws Stopped.
     void serve(const Population<Genome>& population) {
+        request_.generation = position.generations();
         try {
             queue_.serve(request_);
         } catch (const Stopped&) {

@@ -27,6 +27,8 @@ struct EvaluationCall {
     Evaluation<typename P::Outcome>* answer; ///< place for the result; unchanged if the run must end first
     std::uint64_t replicate = 0;             ///< number of the replicate of a noisy evaluation
     Level level = {};                        ///< level of the evaluation
+    /// Generation of each enclosing `repeat` of the stage that asks, outermost first, from 0.
+    std::span<const std::size_t> generation = {};
 };
 
 /// One request for a derivative: of residuals (for a problem with `sensitivity`) or of the fitness (with

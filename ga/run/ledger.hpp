@@ -167,6 +167,7 @@ struct EvaluationRequest {
         bool is_answered() const { return answer && !std::holds_alternative<Pending>(*answer); }
     };
 
+    std::vector<std::size_t> generation;    ///< see EvaluationCall
     std::vector<OutcomeRequest> outcomes;   ///< requested outcomes, which are counted in this order
     std::vector<Slope<P>*> slopes;          ///< requests for derivatives
     double work = 0;                        ///< price of Work that is done, which always counts
@@ -313,7 +314,7 @@ class Ledger : public EvaluationQueue<P> {
                 ++counters.remembered;
             } else if (!take_prepaid(wanted.print, place, wanted.level)) {
                 pending->queued = true;
-                calls_.push_back({wanted.genome, &place, wanted.replicate, wanted.level});
+                calls_.push_back({wanted.genome, &place, wanted.replicate, wanted.level, request.generation});
             }
         }
         for (Slope<P>* slope : request.slopes) {

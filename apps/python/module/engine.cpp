@@ -55,6 +55,12 @@ Optimisation requested(const py::object& problem, const py::kwargs& given) {
     }
     search.operators = keywords.take<std::vector<py::object>>("operators", {});
     search.observers = keywords.take<std::vector<py::object>>("observers", {});
+    if (const auto file = keywords.take<std::filesystem::path>("history", {}); !file.empty()) {
+        if (std::filesystem::exists(file))
+            rough::refuse("optimise: history ", file.string(), " exists; choose another name");
+        *search.history = {file, false};
+        search.history->begin(objectives);
+    }
     keywords.expect_none_left();
     search.variant = app::variant_of(search, objectives);
     return search;
@@ -83,6 +89,7 @@ start: genomes to begin with, one per row. A leading `sample n` of the pipeline 
 operators: objects with a name, which is a stage of the pipeline. They are called with (genes, fitness,
 random) of the population, and return new genes, or the positions of the individuals to keep.
 observers: called with a dictionary after every stage.
+history: a new file (CSV) for all evaluations: generation, genes, objectives, violation, failure.
 The same seed gives the same result, bit for bit.
 
 >>> import rugosa

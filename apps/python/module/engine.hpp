@@ -2,6 +2,7 @@
 
 #include "apps/external/problem.hpp"
 #include "apps/python/module/python.hpp"
+#include "apps/report/history.hpp"
 
 #include <pybind11/numpy.h>
 
@@ -14,7 +15,8 @@ struct Optimisation : app::OutsideSearch {
     std::vector<bool> minimise;
 
     app::BestKnown record; ///< the best of all answers
-    py::array population;  ///< genes of the pipeline's last population, individuals x genes
+    std::shared_ptr<app::History> history = std::make_shared<app::History>();
+    py::array population; ///< genes of the pipeline's last population, individuals x genes
     bool interrupted = false;
     std::exception_ptr first_error = {}; ///< the first exception of an evaluation
 };

@@ -322,9 +322,15 @@ class AskTell : public Search {
         for (const py::handle& each : given) answers.push_back(answer_of(each, search_.minimise.size()));
         const auto open = std::exchange(open_, {}); // another thread may ask
         const auto levels = std::exchange(levels_, {});
-        for (std::size_t i = 0; i < answers.size(); ++i)
+        app::History& history = *search_.history;
+        for (std::size_t i = 0; i < answers.size(); ++i) {
+            const std::string genes = app::genes_text(open[i].genome);
             if (const auto* answer = std::get_if<app::Evaluation>(&answers[i]))
-                search_.record.take({app::genes_text(open[i].genome), *answer}, static_cast<std::size_t>(levels[i]));
+                search_.record.take({genes, *answer}, static_cast<std::size_t>(levels[i]));
+            if (history.is_kept())
+                history.add(engine_.generation_of(open[i].id), prepared_.problem.name_of(levels[i]), genes, answers[i]);
+        }
+        history.write();
         const py::gil_scoped_release unlocked;
         for (std::size_t i = 0; i < answers.size(); ++i)
             if (auto* answer = std::get_if<app::Evaluation>(&answers[i]))
@@ -353,7 +359,8 @@ void optimise(Optimisation& search) {
     Interruptible interrupt;
     by_kind(search.genes, [&]<class G>(const G&) {
         Prepared<G> prepared(search, interrupt.stop());
-        ByPython<app::OutsideProblem<G>> evaluator(prepared.callback, search);
+        ByPython<app::OutsideProblem<G>> by_python(prepared.callback, search);
+        app::WithHistory<app::OutsideProblem<G>> evaluator(by_python, *search.history);
         prepared.finish([&] {
             return ga::run_by(evaluator, prepared.stage, prepared.problem, prepared.start, prepared.run,
                               prepared.observers());

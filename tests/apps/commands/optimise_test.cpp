@@ -1,5 +1,9 @@
 #include "tests/apps/results.hpp"
 
+#include <boost/algorithm/string.hpp>
+
+#include <set>
+
 using namespace app::testing;
 using nlohmann::json;
 
@@ -156,6 +160,48 @@ TEST_CASE("a run out of evaluations resumes to the result of an uninterrupted on
     CHECK(timeless(desk.found(words + "--evaluations 900 --resume", "cut")) == timeless(whole));
 }
 
+TEST_CASE("a history has every evaluation once, on any number of children and after a resume") {
+    const Desk desk;
+    const std::string words = "--genes real:1:-5:5,int:1:0:900,choice:1:b:c --evaluate './child sphere' --minimise ";
+    const json result = desk.found(words + "--evaluations 900 --threads 1 --history 1.csv", "1");
+    const std::string text = rough::read_whole(desk / "1.csv");
+    CHECK_THAT(text, Catch::StartsWith("id,generation,level,x1,x2,x3,f1,violation,failure\n1,,,"));
+    std::set<std::string> genes;
+    double best = HUGE_VAL;
+    int last = 0, generation = 0;
+    std::istringstream lines(text.substr(text.find('\n') + 1));
+    for (std::string line; std::getline(lines, line);) {
+        std::vector<std::string> cells;
+        boost::split(cells, line, boost::is_any_of(","));
+        REQUIRE(cells.size() == 9);
+        CHECK(std::stoi(cells[0]) == ++last);
+        if (!cells[1].empty()) {
+            CHECK((std::stoi(cells[1]) == generation || std::stoi(cells[1]) == generation + 1));
+            generation = std::stoi(cells[1]);
+        }
+        CHECK(genes.insert(cells[3] + "," + cells[4] + "," + cells[5]).second);
+        best = std::min(best, std::stod(cells[6]));
+        CHECK((cells[7] == "0" && cells[8].empty()));
+    }
+    CHECK(last == result["evaluations"]);
+    CHECK(generation > 5);
+    CHECK(best == result["best"]["objectives"][0]);
+    desk.found(words + "--evaluations 900 --threads 3 --history 3.csv", "3");
+    CHECK(rough::read_whole(desk / "3.csv") == text);
+    desk.found(words + "--evaluations 300 --history cut.csv", "cut");
+    const std::string cut = rough::read_whole(desk / "cut.csv");
+    desk.write("cut.csv", cut + "301,9,,1,2,b,3,0,\n"); // by a process that was killed before its checkpoint
+    desk.found(words + "--evaluations 900 --resume --history cut.csv", "cut");
+    CHECK(rough::read_whole(desk / "cut.csv") == text);
+
+    desk.write("other.csv", "mine\n");
+    CHECK(desk.optimise(words + "--history other.csv").code == 2);
+    desk.found(words + "--evaluations 300 --history again.csv", "again");
+    desk.write("again.csv", "mine\n");
+    CHECK(desk.optimise(words + "--evaluations 900 --resume --history again.csv --out again").code == 2);
+    CHECK(rough::read_whole(desk / "again.csv") == "mine\n");
+}
+
 TEST_CASE("a failed evaluation of any kind is a failure of its genome, and the run continues") {
     const Desk desk;
     for (const std::string fault :
@@ -181,9 +227,12 @@ TEST_CASE("failures before the first success are counted, and reach a child once
     for (const std::string pipeline : {"sample 3 | score | repeat 4 { mutate 1 | score }", "sample 20 | score"}) {
         std::filesystem::remove(desk / "sent");
         const json result = desk.found("--genes real:2:-5:5 --evaluate 'sh late.sh' --force --threads 1 "
-                                       "--pipeline '" +
+                                       "--history all.csv --pipeline '" +
                                        pipeline + "'");
         CHECK(rough::read_whole(desk / "sent").size() == result["evaluations"]);
+        const std::string history = rough::read_whole(desk / "all.csv");
+        CHECK(std::ranges::count(history, '\n') == result["evaluations"].get<long>() + 1);
+        CHECK(boost::ifind_nth(history, ",,,not yet\n", 4));
         CHECK(result["best"]["objectives"][0] >= 6);
     }
 }

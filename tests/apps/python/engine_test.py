@@ -1,3 +1,4 @@
+import csv
 import json
 import math
 import sys
@@ -19,6 +20,12 @@ for line in sys.stdin:
 
 def sphere(genes):
     return sum(g * g for g in genes.tolist())
+
+
+def weighted_sum(genes):
+    if genes[0] == 1:
+        raise ValueError("mesh failed")
+    return int(sum(i * g for i, g in enumerate(genes)))
 
 
 class Engine(WithFolder):
@@ -58,6 +65,24 @@ class Engine(WithFolder):
             self.assertGreater(batches, 1)
             self.assertEqual(found.best.tolist(), called.best.tolist())
             self.assertEqual(found.evaluations, called.evaluations)
+
+    def test_a_history_has_every_evaluation(self):
+        options = {"permutation": 6, "minimise": True, "evaluations": 200}
+        file, other = self.folder / "h.csv", self.folder / "other.csv"
+        found = rugosa.optimise(weighted_sum, history=file, **options)
+        rows = list(csv.DictReader(file.open()))
+        self.assertEqual([int(row["id"]) for row in rows], list(range(1, found.evaluations + 1)))
+        for row in rows:
+            genes = [int(row[f"x{i}"]) for i in range(1, 7)]
+            self.assertEqual(row["failure"], "ValueError: mesh failed" if genes[0] == 1 else "")
+            self.assertEqual(row["f1"], "" if genes[0] == 1 else str(sum(i * g for i, g in enumerate(genes))))
+        search = rugosa.search(history=other, **options)
+        while len(genes := search.ask()):
+            search.tell([ValueError("mesh failed") if row[0] == 1 else weighted_sum(row) for row in genes])
+        search.result()
+        self.assertEqual(other.read_text().replace("mesh", "ValueError: mesh"), file.read_text())
+        with self.assertRaisesRegex(rugosa.InputError, "h.csv exists"):
+            rugosa.optimise(weighted_sum, history=file, **options)
 
     def test_a_search_may_be_left_before_its_end(self):
         seen = []
