@@ -17,7 +17,7 @@ namespace {
 Bindings bindings_of(rough::GenomeDistribution& law) {
     Bindings bindings{
         {whole("series", std::to_string(law.series), 1, 16, "number of series of a genome"), law.series},
-        {whole("ridges", std::to_string(law.ridges), 1, 1000, "ridges M of each chromosome"), law.ridges},
+        {whole("ridges", "", 1, 1000, "ridges M of each chromosome [1; for a map, their directions: 8]"), law.ridges},
         {positive("shortest-wave", "", "shortest wavelength, mm [8 node spacings]"), law.shortest},
         {whole("seed", std::to_string(law.seed), 0, 0x1p53, "seed of the genomes"), law.seed},
     };
@@ -142,9 +142,10 @@ std::vector<Setting> build_settings() {
 rough::GenomeStore database_from(const std::filesystem::path& file, const Settings& settings) {
     if (!any_given(settings, setup_settings()) && rough::GenomeStore::begun(file))
         return rough::GenomeStore::open(file);
-    rough::DatabaseSetup setup{model_from(settings), {}};
+    rough::DatabaseSetup setup{surface_model_from(settings), {}};
+    if (setup.model.grid.is_2d()) setup.law.ridges = 8;
     setup.law.lambda = setup.model.grid.length;
-    setup.law.shortest = 8 * setup.model.grid.spacing();
+    setup.law.shortest = 8 * setup.model.grid.widest_spacing();
     take(settings, bindings_of(setup.law));
     expect_in_order(settings, {"hurst", "gamma"});
     rough::validate(setup.law);
@@ -161,8 +162,8 @@ std::vector<Setting> query_settings() {
 rough::DesignSetup query_from(const Settings& settings, const rough::GenomeStore& store,
                               const std::vector<rough::Target>& targets) {
     // The stored curves are scaled to the model of the settings.
-    rough::DesignSetup setup{.model =
-                                 any_given(settings, model_settings()) ? model_from(settings) : store.setup().model,
+    rough::DesignSetup setup{.model = any_given(settings, model_settings()) ? surface_model_from(settings)
+                                                                            : store.setup().model,
                              .targets = targets};
     settings.take("max-pressure", setup.max_pressure);
     return setup;

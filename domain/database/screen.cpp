@@ -88,6 +88,9 @@ DatabaseScale scale_to(const GenomeStore& store, const Model& wanted) {
     const DatabaseScale scale{length, wanted.body.effective_modulus / stored.body.effective_modulus / length};
     stored.grid.length = wanted.grid.length;
     stored.body.effective_modulus = wanted.body.effective_modulus;
+    std::optional width = stored.grid.width;
+    stretch(width, length, wanted.grid.width);
+    stored.grid.width = *width;
     stretch(stored.body.datum, length, wanted.body.datum);
     stretch(stored.body.strip_width, length, wanted.body.strip_width);
     const std::string differs = difference(named_values(stored), named_values(wanted));
@@ -141,8 +144,7 @@ std::vector<Match> screen(const StoredCurves& curves, const Model& model, const 
     const bool rescaled = options.max_pressure.has_value();
     const auto displacements = load_displacements(1, model.loading, model.body.kernel); // for a height range of 1
     const auto steps = static_cast<Index>(displacements.size());
-    const double full_stiffness =
-        full_contact_stiffness({Eigen::VectorXd::Zero(model.grid.nodes), model.grid.spacing()}, model.body);
+    const double full_stiffness = full_contact_stiffness(sample(Genome{}, model.grid), model.body);
     // A genome's curve for each target, at scale 1.
     const auto read = [&](std::size_t g) {
         const auto row = [&](const std::vector<double>& numbers) {
@@ -219,7 +221,7 @@ std::vector<Genome> stored_starts(const GenomeStore& store, const DesignSetup& s
 
 std::vector<StoredAnswer> stored_answers(const GenomeStore& store, const DesignSetup& setup, std::size_t count,
                                          int threads) {
-    constexpr std::size_t min_verified = 16;
+    const std::size_t min_verified = setup.model.grid.is_2d() ? 1 : 16; // a map's verification takes seconds
     validate(setup);
     const std::vector<Stored> stored = nearest(store, setup, std::max(count, min_verified), threads);
     std::vector<std::optional<StoredAnswer>> verified(stored.size());

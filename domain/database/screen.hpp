@@ -42,7 +42,7 @@ struct StoredAnswer {
 
 /// The stored genomes whose stored curves are nearest to a design's targets. Unlike in stored_starts(), the
 /// genomes are verified before they are ranked, because stored load steps may be too few for a target. At
-/// least 16 genomes are verified. At most `count` are returned, the highest `worst()` first. Genomes without
+/// least 16 profiles are verified. At most `count` are returned, the highest `worst()` first. Genomes without
 /// a response on a finer grid are omitted. Throws what stored_starts() and validate() throw.
 std::vector<StoredAnswer> stored_answers(const GenomeStore& store, const DesignSetup& setup, std::size_t count,
                                          int threads = 0);

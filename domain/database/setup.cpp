@@ -97,15 +97,21 @@ DatabaseSetup setup_from(const NamedValues& fields, const std::string& where) {
     read("effective_modulus_MPa", model.body.effective_modulus);
     read("steps", model.loading.steps);
     read("reach", model.loading.reach.emplace());
-    if (model.body.kernel == Kernel::free) read("datum_mm", model.body.datum.emplace());
+    if (find(fields, "rows")) {
+        read("rows", model.grid.rows);
+        read("width_mm", model.grid.width);
+    }
+    if (model.body.kernel == Kernel::free && !model.grid.is_2d()) read("datum_mm", model.body.datum.emplace());
     if (model.body.kernel == Kernel::strip) read("strip_width_mm", model.body.strip_width.emplace());
     visit_law(setup.law, read);
     const auto within = [](double value, double above, double to) { return value > above && value <= to; };
     constexpr double largest = std::numeric_limits<double>::max();
-    constexpr Index max_nodes = 10'000; // a query solves on grids of four times as many
-    if (model.grid.nodes > max_nodes)
-        refuse(where, ": nodes ", model.grid.nodes, " are too many for a database; give at most ", max_nodes);
-    if (!within(static_cast<double>(model.grid.nodes), 1, 1e7) || !within(model.grid.length, 0, largest) ||
+    const Grid& grid = model.grid;
+    const Index most = std::max(grid.nodes, grid.rows), max_nodes = grid.is_2d() ? 512 : 10'000; // verified on 4 times
+    if (most > max_nodes) refuse(where, ": nodes ", most, " are too many for a database; give at most ", max_nodes);
+    if (!within(static_cast<double>(grid.nodes), 1, largest) || !within(grid.length, 0, largest) ||
+        (find(fields, "rows") &&
+         (!within(static_cast<double>(grid.rows), 1, largest) || !within(grid.width, 0, largest))) ||
         !within(model.body.effective_modulus, 0, largest) || !within(model.loading.steps, 0, 1e6) ||
         !within(*model.loading.reach, 0, 1))
         throw InputError(where + ": its set-up has no contact solution; give a genome database");

@@ -254,11 +254,8 @@ DesignPipeline design_pipeline(const DesignSetup& setup, const std::string& text
 std::string usual_variant(const DesignSetup& setup, bool stored) {
     const bool wants_contact_area = std::ranges::any_of(setup.targets, is_contact_fraction, &Target::quantity);
     const bool is_like = setup.measured && wants_contact_area;
-    return stored                     ? "in-line"
-           : setup.model.grid.is_2d() ? is_like ? "maps-like" : "maps"
-           : setup.errors.any()       ? "made"
-           : is_like                  ? "like"
-                                      : "default";
+    if (setup.model.grid.is_2d()) return stored ? "maps-in-line" : is_like ? "maps-like" : "maps";
+    return stored ? "in-line" : setup.errors.any() ? "made" : is_like ? "like" : "default";
 }
 
 extern const char* const design_variants_ini; // variants.ini (.cmake/data.cmake)

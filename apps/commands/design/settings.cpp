@@ -64,8 +64,6 @@ std::optional<Production> production_from(const Settings& settings) {
 /// Throws rough::InputError on values that contradict each other.
 void expect_consistent(const Settings& settings, const rough::DesignSetup& setup) {
     const rough::Grid& grid = setup.model.grid;
-    if (grid.is_2d() && settings.has("database"))
-        settings.refuse("database", "given with a map; omit it, as it is for profiles only");
     for (const rough::Target& target : setup.targets)
         if (setup.max_pressure && target.against_pressure() && target.last() > *setup.max_pressure * (1 + 1e-9))
             settings.refuse("max-pressure", settings.text("max-pressure"),

@@ -163,6 +163,22 @@ TEST_CASE("a design from a database is better than its nearest curves") {
           rough::Verifier(setup).of(nearest).worst - 1e-9);
 }
 
+TEST_CASE("a map designed from a database is better than its nearest curves") {
+    const Folder folder;
+    const std::string target = " --target '" RUGOSA_SOURCE "/experiments/targets/heldout.csv' --max-pressure 1.6e-4";
+    done(folder, "database build g.db --genomes 100 --nodes 32x32 --length 0.84942");
+    const Ended nearest = done(folder, "database query g.db --best 1 --out best.json" + target);
+    double similarity = 0;
+    REQUIRE(std::sscanf(nearest.out.c_str() + nearest.out.find("\n   1 "), " 1 %*d %*f %lf", &similarity) == 1);
+    const Ended ended =
+        answered(rugosa("design --database g.db --nodes 32x32 --out r --pictures off" + target, folder.path()));
+    CHECK_THAT(ended.out, Catch::Contains("100 stored curves screened"));
+    CHECK(result_in(folder / "r")["variants"]["maps-in-line"]["similarity_worst"].get<double>() > similarity + 0.01);
+    const Ended other = rugosa("design --database g.db --nodes 40x32 --out o" + target, folder.path());
+    CHECK(other.code == 2);
+    CHECK_THAT(other.err, Catch::Contains("g.db: a database of another set-up: its nodes is 32, not 40"));
+}
+
 TEST_CASE("a design like a map has two targets on the nodes of the map", "[areas]") {
     const Folder folder;
     const auto height = [](int i, int j) {

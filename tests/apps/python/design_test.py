@@ -152,6 +152,15 @@ class Database(WithFolder):
         self.assertTrue(all(abs(a.similarity / b.similarity - 1) < 1e-9 for a, b in zip(other, found)))
         self.assertEqual([f"{s.index} {s.similarity:.6f}" for s in found], [f"{r[1]} {r[2]}" for r in rows])
 
+    def test_has_maps(self):
+        maps = {"nodes": (20, 16), "length": (0.8, 0.64), "steps": 10}
+        stored = rugosa.Database.create(self.folder / "m.db", 20, **maps)
+        pressure, stiffness = rugosa.contact(stored.genome(7), **maps).secant_stiffness()
+        target = rugosa.Target(pressure[1:9] * 0.01, stiffness[1:9])
+        nearest = stored.query(target, 1, **maps)[0]
+        self.assertEqual(nearest.index, 7)
+        self.assertGreater(nearest.similarity, 0.9)
+
     def test_interrupt_keeps_what_is_stored(self):
         file = self.folder / "long.db"
         threading.Timer(1, lambda: os.kill(os.getpid(), signal.SIGINT)).start()

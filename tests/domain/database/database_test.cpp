@@ -11,6 +11,7 @@ using namespace rough;
 namespace fs = std::filesystem;
 using rough::testing::built;
 using rough::testing::read_all;
+using rough::testing::small_map_setup;
 using rough::testing::small_setup;
 using tests::Folder;
 
@@ -55,22 +56,26 @@ TEST_CASE("a law's genome is valid, within the law, and depends only on its numb
 
 TEST_CASE("a database has the genomes of its law and their responses to the bit") {
     const Folder folder;
-    const DatabaseSetup setup = small_setup();
-    const GenomeStore store = built(folder / "genomes.db", {.genomes = 30, .batch = 8});
-    CHECK(store.stored() == 30);
-    for (const std::uint64_t index : {0u, 7u, 8u, 29u}) {
-        const Genome genome = drawn(setup.law, index);
-        CHECK(genes(store.genome(index)) == genes(genome));
-        const Response computed = respond(genome, setup.model),
-                       stored = store.responses(store.batches()[index / 8])[index % 8];
-        CHECK((stored.range == computed.range && stored.pressure == computed.pressure));
-        CHECK(stored.contact_fraction == computed.contact_fraction);
-        CHECK(stored.tangent_stiffness == computed.tangent_stiffness);
+    for (const DatabaseSetup& setup : {small_setup(), small_map_setup()}) {
+        const fs::path path = folder / (setup.model.grid.is_2d() ? "maps.db" : "lines.db");
+        built(path, {.genomes = 30, .batch = 8}, setup);
+        const GenomeStore store = GenomeStore::open(path);
+        CHECK(store.stored() == 30);
+        CHECK(named_values(store.setup()) == named_values(setup));
+        for (const std::uint64_t index : {0u, 7u, 8u, 29u}) {
+            const Genome genome = drawn(setup.law, index);
+            CHECK(genes(store.genome(index)) == genes(genome));
+            const Response computed = respond(genome, setup.model),
+                           stored = store.responses(store.batches()[index / 8])[index % 8];
+            CHECK((stored.range == computed.range && stored.pressure == computed.pressure));
+            CHECK(stored.contact_fraction == computed.contact_fraction);
+            CHECK(stored.tangent_stiffness == computed.tangent_stiffness);
+        }
+        CHECK_THROWS_WITH(store.genome(30), Catch::Contains("genome 30 is not stored"));
+        // A stored batch is no longer taken.
+        SQLite::Database file(path);
+        CHECK(file.execAndGet("SELECT COUNT(*) FROM taken").getInt() == 0);
     }
-    CHECK_THROWS_WITH(store.genome(30), Catch::Contains("genome 30 is not stored"));
-    // A stored batch is no longer taken.
-    SQLite::Database file(folder / "genomes.db");
-    CHECK(file.execAndGet("SELECT COUNT(*) FROM taken").getInt() == 0);
 }
 
 TEST_CASE("a stopped build resumes to the same database, whatever the pieces") {

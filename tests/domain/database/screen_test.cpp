@@ -6,6 +6,7 @@
 
 using namespace rough;
 using rough::testing::built;
+using rough::testing::small_map_setup;
 using rough::testing::small_setup;
 using tests::Folder;
 
@@ -110,16 +111,21 @@ TEST_CASE("a genome without a response, or whose curve ends too early, is not ma
     CHECK(screen(store.curves(), setup.model, {far}, {.max_pressure = max_pressure}).empty());
 }
 
-TEST_CASE("stored starts meet targets at every length and modulus, and another model is refused") {
+TEST_CASE("stored starts of lines and maps meet targets at every length and modulus, and another model is refused") {
     const Folder folder;
-    for (const Kernel kernel : {Kernel::free, Kernel::strip, Kernel::periodic}) {
-        DatabaseSetup setup = small_setup();
+    for (const auto& [kernel, is_map] : {std::pair(Kernel::free, false),
+                                         {Kernel::strip, false},
+                                         {Kernel::periodic, false},
+                                         {Kernel::free, true},
+                                         {Kernel::periodic, true}}) {
+        DatabaseSetup setup = is_map ? small_map_setup() : small_setup();
         setup.model.body.kernel = kernel;
         setup.model.loading.reach.reset();
         setup.model = completed(setup.model);
         const GenomeStore store =
-            built(folder / (std::to_string(static_cast<int>(kernel)) + ".db"), {.genomes = 40}, setup);
+            built(folder / (name_of(kernel) + std::string(is_map ? "-map.db" : ".db")), {.genomes = 40}, setup);
         Model model{{64, 2.5}, {kernel, 210}, {8}};
+        if (is_map) model.grid.nodes = 16, model.grid.rows = 12, model.grid.width = 0.75 * 2.5;
         if (kernel == Kernel::strip)
             model.body.strip_width = *setup.model.body.strip_width * 2.5 / setup.model.grid.length;
         DesignSetup design{.model = completed(model)};
@@ -141,7 +147,10 @@ TEST_CASE("stored starts meet targets at every length and modulus, and another m
             CHECK(similarity(target, curve_of(target.quantity, respond(starts[0], design.model))) > 0.999);
         design.max_pressure = 0.02 * stretched.pressure[7];
         CHECK(respond(stored_starts(store, design, 1)[0], design.model).pressure[7] == Approx(*design.max_pressure));
-        if (kernel == Kernel::free) {
+        if (is_map) {
+            design.model.grid.width *= 1.1;
+            CHECK_THROWS_WITH(stored_starts(store, design, 1), Catch::Contains("width_mm"));
+        } else if (kernel == Kernel::free) {
             design.targets[0].weight = 2;
             CHECK_THROWS_WITH(stored_answers(store, design, 1), Catch::Contains("weight 2 is out of range"));
             *design.model.body.datum *= 2;

@@ -14,6 +14,16 @@ inline DatabaseSetup small_setup() {
     return setup;
 }
 
+/// The same for maps of 16 x 12 nodes.
+inline DatabaseSetup small_map_setup() {
+    DatabaseSetup setup = small_setup();
+    Grid& grid = setup.model.grid;
+    grid.nodes = 16, grid.rows = 12, grid.width = 0.75 * grid.length;
+    setup.model.body.datum.reset();
+    setup.law.ridges = 3;
+    return setup;
+}
+
 /// A database built with these options.
 inline GenomeStore built(const std::filesystem::path& file, const BuildOptions& options,
                          const DatabaseSetup& setup = small_setup()) {
