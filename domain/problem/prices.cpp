@@ -52,10 +52,11 @@ std::vector<ga::LevelPrice> level_prices(const Model& model, const Model& unit, 
     };
     const int own = unit.loading.steps, about = 2 * points;
     const Index finest = verified_refinement(unit.grid).nodes;
+    double verified = 0; // on the search grid, half way to the finest one, and there
+    for (Index times = 1; times <= finest; times *= 2) verified += in_steps(times, own) + in_steps(times, about);
     const double evaluation = smooth_area ? gradient_price : 1; // smooth fractions come with the derivatives
     return {{"search", evaluation * search, gradient_price * search},
-            {"verified", in_steps(1, own) + in_steps(1, about) + in_steps(finest, own) + in_steps(finest, about),
-             gradient_price * in_steps(finest, own + 2 * about)},
+            {"verified", verified, gradient_price * in_steps(finest, own + 2 * about)},
             {"made", evaluation * made, gradient_price * made}};
 }
 

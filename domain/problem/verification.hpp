@@ -95,8 +95,7 @@ class Verifier {
     /// A genome's verification among the last 32 complete ones, or nothing.
     std::optional<Verification> known(const Genome& genome) const { return known_.find(key_of(setup_, genome)); }
     const DesignSetup& setup() const { return setup_; } ///< the set-up that was given
-    /// The misfits on the finer grid in the finer load steps. Their derivatives in the genes are those of secants four
-    /// times as wide (a map: as wide).
+    /// Verification::largest. Its derivatives in the genes are those of secants four times as wide (a map: as wide).
     Rows misfit_rows(const Genome& genome) const;
     /// The set-up with the targets that its measured surface has in the finer load steps. They are solved on the first
     /// call, because most problems never verify.

@@ -53,8 +53,8 @@ TEST_CASE("a map's verification agrees with four separate solutions", "[areas]")
         const Verification verified = Verifier(setup).of(genome);
         CHECK(verified.similarity == Approx(similarity).epsilon(1e-6));
         CHECK(verified.refined == Approx(refined).epsilon(1e-6));
-        CHECK(verified.more_steps == Approx(stepped).margin(1e-2 * (2 - stepped)));
-        CHECK(verified.both == Approx(both).margin(1e-2 * (2 - both)));
+        CHECK(verified.more_steps == Approx(stepped).epsilon(1e-6));
+        CHECK(verified.both == Approx(both).epsilon(1e-6));
         CHECK(verified.worst <= verified.both);
         CHECK(verified.both == Verifier(setup, 2).of(genome).both);
         CHECK(verified.on_finer[0].steps() == 20);
@@ -144,7 +144,8 @@ TEST_CASE("rows of limits on a map's shape agree with differences", "[areas]") {
     check_jacobian(setup, genome, "similarity");
 }
 
-TEST_CASE("a map's verdict is at most 0.004 above its similarity on a grid four times finer still", "[areas][long]") {
+TEST_CASE("a map's verdict is at most its similarity on a grid and in load steps four times finer still",
+          "[areas][long]") {
     for (const char* target : {"drawn", "heldout"})
         for (const std::uint64_t seed : {1, 2, 3}) {
             INFO(target << ", seed " << seed);
@@ -157,9 +158,9 @@ TEST_CASE("a map's verdict is at most 0.004 above its similarity on a grid four 
                                                 .alternatives = 1,
                                                 .verifying = 1})
                                      .best;
-            const DesignSetup finest = in_finer_steps(setup, 16);
-            const double truth = similarity(finest, respond(finest, found.genome, refined(finest.model, 16)));
-            CHECK(found.worst <= truth + 0.004);
+            const double truth = rough::testing::similarity_about_points(setup, found.genome, 16, 64);
+            WARN(target << ", seed " << seed << ": similarity_worst " << found.worst << ", similarity " << truth);
+            CHECK(found.worst <= truth);
             CHECK(truth - found.worst < 0.03);
         }
 }

@@ -4,6 +4,7 @@
 #include "domain/problem/problem.hpp"
 #include "tests/domain/derivatives.hpp"
 #include "tests/domain/design/setups.hpp"
+#include "tests/domain/problem/about_points.hpp"
 
 namespace rough::testing {
 
@@ -28,13 +29,19 @@ inline double fitness(const DesignProblem& problem, const Genome& genome, const 
     return 0;
 }
 
+/// The similarity on a grid with `refine` elements for each one, in load steps `times` as close about the points of the
+/// first target, which is against pressure.
+inline double similarity_about_points(const DesignSetup& setup, const Genome& genome, Index refine, int times) {
+    Model model = refined(setup.model, refine);
+    const DesignResponse own = respond(setup, genome, model);
+    if (times == 1) return similarity(setup, own);
+    model.loading.shares = shares_about(own.responses[0], setup.targets[0].x, times);
+    return similarity(setup, respond(setup, genome, model));
+}
+
 /// A verification's four similarities by one solution each.
 inline std::array<double, 4> separate_similarities(const DesignSetup& setup, const Genome& genome) {
-    const auto alone = [&](Index refine, int times) {
-        Model model = refined(setup.model, refine);
-        model.loading.steps *= times;
-        return similarity(setup, respond(setup, genome, model));
-    };
+    const auto alone = [&](Index refine, int times) { return similarity_about_points(setup, genome, refine, times); };
     const auto [nodes, steps] = verified_refinement(setup.model.grid);
     return {alone(1, 1), alone(nodes, 1), alone(1, steps), alone(nodes, steps)};
 }

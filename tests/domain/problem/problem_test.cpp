@@ -35,6 +35,9 @@ TEST_CASE("derivatives of misfits agree with differences in every gene, with and
         setup.targets[0].y *= 1.5;
         check_jacobian(setup, fitted_genome(random, setup), "similarity");
     }
+    DesignSetup setup = drawn_setup(509, true);
+    setup.model.loading.shares = {0.1, 0.2, 0.31, 0.32, 0.33, 0.34, 0.5, 0.62, 0.63, 0.8, 0.9, 0.99, 1};
+    check_jacobian(setup, fitted_genome(random, setup), "similarity", 1e-5);
 }
 
 TEST_CASE("derivatives agree for contact fractions, and for loads, bands and weights together") {
