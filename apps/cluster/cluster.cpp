@@ -18,7 +18,6 @@
 #endif
 
 namespace app::cluster {
-
 namespace {
 
 int rank_count = 1, this_rank = 0;

@@ -13,7 +13,6 @@
 #include "domain/text/atomic_file.hpp"
 
 namespace app {
-
 namespace {
 
 using rough::Index;

@@ -11,7 +11,6 @@
 #include <iostream>
 
 namespace app {
-
 namespace {
 
 Bindings bindings_of(rough::GenomeDistribution& law) {

@@ -5,7 +5,6 @@
 #include <iostream>
 
 namespace app {
-
 namespace {
 
 int operators(const Settings&, const std::string&) {

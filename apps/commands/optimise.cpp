@@ -14,7 +14,6 @@
 #include <boost/algorithm/string.hpp>
 
 namespace app {
-
 namespace {
 
 /// A search whose genomes are evaluated by child processes.
@@ -149,8 +148,7 @@ json outside_json(const OutsideSearch& searched, const BestKnown& record, const 
     return result;
 }
 
-/// The genomes in a file: one per line, with commas or spaces between the genes. Lines that begin with # do
-/// not count.
+/// The genomes in a file: one per line, with commas or spaces between the genes. Lines that begin with # do not count.
 std::vector<std::vector<double>> start_from(const Genes& genes, const std::filesystem::path& path) {
     constexpr std::size_t max_bytes = 64'000'000;
     std::string bytes = rough::read_whole(path, max_bytes);

@@ -15,7 +15,6 @@
 #include <cstdio>
 
 namespace app {
-
 namespace {
 
 Bindings bindings_of(rough::Extrusion& extrusion) {

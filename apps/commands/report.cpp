@@ -5,7 +5,6 @@
 #include "domain/text/atomic_file.hpp"
 
 namespace app {
-
 namespace {
 
 /// The page that --out names, which is not a file that the page is made from.

@@ -3,7 +3,6 @@
 #include "apps/prompt/model_settings.hpp"
 
 namespace app {
-
 namespace {
 
 Setting set_setting() {

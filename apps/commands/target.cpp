@@ -13,7 +13,6 @@
 #include <boost/algorithm/string/replace.hpp>
 
 namespace app {
-
 namespace {
 
 std::vector<std::string> quantities() {

@@ -12,7 +12,6 @@
 #include <sys/wait.h>
 
 namespace app {
-
 namespace {
 
 /// Where Python looks for modules: a folder, then the absolute folders of PYTHONPATH. An empty or a relative

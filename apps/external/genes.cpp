@@ -6,7 +6,6 @@
 #include <boost/algorithm/string.hpp>
 
 namespace app {
-
 namespace {
 
 constexpr double max_genes = 1e6;

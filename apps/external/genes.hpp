@@ -9,9 +9,8 @@ namespace app {
 /// real:5:-5:5,real:2:1e-6:1:log,real:2:0:1:0.25,int:3:0:120,choice:2:a:b:c.
 struct Genes {
     enum class Kind { numbers, bits, permutation };
-    /// Genes of one range. Integers, words and stepped numbers are real genes that are rounded for the
-    /// evaluation. On a logarithmic scale the search sees the natural logarithm. If both bounds are equal,
-    /// the genes are fixed.
+    /// Genes of one range. Integers, words and stepped numbers are real genes that are rounded for the evaluation. On a
+    /// logarithmic scale the search sees the natural logarithm. If both bounds are equal, the genes are fixed.
     struct Part {
         std::size_t count = 1;
         double lower = 0, upper = 1;         ///< bounds of each gene; for words, of their index
@@ -30,8 +29,7 @@ struct OutsideSearch {
     Genes genes = {};
     std::string variant = {}, pipeline = {}; ///< one of them; by default ga, or nsga2 for several objectives
     std::string levels = {};                 ///< levels of evaluation and their prices (levels_from)
-    /// Genomes to begin with (numbers_from). A leading `sample n` of the pipeline draws only the missing
-    /// ones.
+    /// Genomes to begin with (numbers_from). A leading `sample n` of the pipeline draws only the missing ones.
     std::vector<std::vector<double>> start = {};
     std::uint64_t seed = 1;
     long evaluations = std::numeric_limits<long>::max();      ///< maximum number
@@ -46,8 +44,7 @@ struct OutsideSearch {
     bool is_dead_end = false;            ///< see ga::Result
     std::vector<std::string> notes = {}; ///< the engine's remarks
 };
-/// The parameters that the program and Python share: variant, pipeline, evaluations, seconds, max-failures
-/// and seed.
+/// The parameters that the program and Python share: variant, pipeline, evaluations, seconds, max-failures and seed.
 std::vector<Setting> outside_settings();
 /// Reads them. If only `seconds` is given, evaluations are unlimited. Throws rough::InputError.
 void take_search(const Settings& settings, OutsideSearch& search);

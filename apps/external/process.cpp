@@ -13,7 +13,6 @@
 #include <unistd.h>
 
 namespace app {
-
 namespace {
 
 /// Starts a program that leads a group. It runs only after announce(process): if this process is killed

@@ -7,10 +7,9 @@
 
 namespace app {
 
-/// Starts a program without a shell, with these descriptors as its standard streams, in `folder` ("": the
-/// current one). It leads a process group, so that its children can be killed too, and SIGPIPE has the
-/// default action. A supervisor, another process, kills the group when this process has ended, even by
-/// SIGKILL. Returns 0 or an error number.
+/// Starts a program without a shell, with these descriptors as its standard streams, in `folder` ("": the current one).
+/// It leads a process group, so that its children can be killed too, and SIGPIPE has the default action. A supervisor,
+/// another process, kills the group when this process has ended, even by SIGKILL. Returns 0 or an error number.
 int start_process(pid_t& process, std::vector<std::string> words, int in, int out, int err,
                   const std::filesystem::path& folder = {});
 

@@ -5,7 +5,6 @@
 #include "domain/contact/materials.hpp"
 
 namespace app {
-
 namespace {
 
 /// The --material; null if none is given.

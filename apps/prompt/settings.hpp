@@ -153,9 +153,8 @@ std::vector<Setting> settings_of(const Bindings& bindings, const std::string& pr
 /// Sets the values of the bindings that are given or have a fallback.
 void take(const Settings& settings, const Bindings& bindings, const std::string& prefix = "");
 
-/// Reads a command line. Throws rough::InputError on an unknown flag (with the nearest name), an empty value
-/// or a word too many. `positional` names settings that need no flag; one with several values takes all
-/// words.
+/// Reads a command line. Throws rough::InputError on an unknown flag (with the nearest name), an empty value or a word
+/// too many. `positional` names settings that need no flag; one with several values takes all words.
 Settings read_command_line(const std::vector<std::string>& words, const std::vector<Setting>& known,
                            const std::vector<std::string>& positional = {});
 

@@ -3,7 +3,6 @@
 #include <muParser.h>
 
 namespace app {
-
 namespace {
 
 const std::map<std::string, std::string> flag_of{{"kernel", "kernel"},

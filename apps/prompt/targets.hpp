@@ -14,9 +14,8 @@ rough::TargetScales scales_from(const Settings& settings, const rough::Model& mo
 /// cannot be read, or if the model that it records differs.
 rough::Target target_from(const Settings& settings, const std::string& file, const rough::Model& model);
 
-/// One line for each given flag without effect: for another kernel, or for other targets than these from
-/// files. One line for each target that holds for another datum or length than it records
-/// (rough::carried_over).
+/// One line for each given flag without effect: for another kernel, or for other targets than these from files. One
+/// line for each target that holds for another datum or length than it records (rough::carried_over).
 std::vector<std::string> notes_on(const Settings& settings, const rough::Model& model,
                                   const std::vector<rough::Target>& targets = {});
 

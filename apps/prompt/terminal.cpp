@@ -10,7 +10,6 @@
 #include <unistd.h>
 
 namespace app {
-
 namespace {
 
 enum class Verbosity { quiet, plain, verbose };

@@ -8,7 +8,6 @@
 #include <vector>
 
 namespace app {
-
 namespace {
 
 /// The smallest unit with fewer than four digits before the point.

@@ -15,7 +15,6 @@
 #include <unistd.h>
 
 namespace app {
-
 namespace {
 
 using kainjow::mustache::html_escape;

@@ -59,8 +59,7 @@ struct VariantRun {
     double price = 0;               ///< their cost, in contact curves on the run's grid in its load steps
 };
 
-/// Number of candidates up to which every generation is kept. Then the record of a stage replaces its last
-/// one.
+/// Number of candidates up to which every generation is kept. Then the record of a stage replaces its last one.
 constexpr std::size_t max_candidates = 200000;
 
 /// An observer that records the candidates of every stage, with the problem's first objective as similarity.

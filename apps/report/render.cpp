@@ -13,7 +13,6 @@
 #include <kainjow/mustache.hpp>
 
 namespace app {
-
 namespace {
 
 using kainjow::mustache::data;

@@ -23,8 +23,7 @@ struct Rendering {
     std::set<std::string>* missing = nullptr; ///< gets the tags whose keys the values do not have
 };
 
-/// Renders KIND.mustache of apps/report/templates or of an experiment: one self-contained page in light and
-/// dark.
+/// Renders KIND.mustache of apps/report/templates or of an experiment: one self-contained page in light and dark.
 ///
 /// A tag is looked up in the values. There are also these tags:
 /// - `{{#tables.NAME}}` repeats for each row of NAME.csv. The tag of a cell is the name of its column.
@@ -52,8 +51,7 @@ PageSource page_source(const std::filesystem::path& place);
 /// folder, by the kind.
 std::filesystem::path page_of(const PageSource& source);
 
-/// Templates, figures and texts that are built in, by the names of their files; .cmake/templates.cmake writes
-/// them.
+/// Templates, figures and texts that are built in, by the names of their files; .cmake/templates.cmake writes them.
 const std::map<std::string, std::string>& builtin_files();
 
 /// A picture to draw: a gnuplot script and its variables.

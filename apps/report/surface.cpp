@@ -11,7 +11,6 @@
 #include "ga/base/json.hpp"
 
 namespace app {
-
 namespace {
 
 constexpr rough::Index max_stl_nodes = 1'000'000, max_3mf_nodes = 100'000;

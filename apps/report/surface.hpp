@@ -15,9 +15,8 @@ std::string jump_note(const rough::Genome& genome, double length, double range);
 /// node along that direction. "" if they do not.
 std::string jump_note(const rough::Profile& surface);
 
-/// A warning that the contact spots of a measured surface are narrower than resolved_spot_nodes at half of
-/// the load steps of its response or more. "" if they are not, or if their widths are not known
-/// (ContactOptions::spots).
+/// A warning that the contact spots of a measured surface are narrower than resolved_spot_nodes at half of the load
+/// steps of its response or more. "" if they are not, or if their widths are not known (ContactOptions::spots).
 std::string resolution_warning(const rough::Response& response);
 
 /// This warning for a surface that is not pressed, from the highest 1 % of its nodes.

@@ -2,7 +2,6 @@
 #include "domain/errors.hpp"
 
 namespace rough {
-
 namespace {
 
 std::string grid_words(const AccuracyReport& account) {

@@ -3,7 +3,6 @@
 #include "domain/errors.hpp"
 
 namespace rough {
-
 namespace {
 
 /// P' at the displacements moved by `shift`, mm: 0 at negative displacements, infinite beyond full contact.

@@ -3,14 +3,12 @@
 #include "domain/errors.hpp"
 
 namespace rough {
-
 namespace {
 
 /// Rows of the first pass: fewer would not describe the curve, and rows are cheap next to the factor.
 constexpr std::size_t first_rows = 64;
 
-/// The exact pressure of an interpolated row, MPa: its distance from the row's pressure, at most, and itself,
-/// at least.
+/// The exact pressure of an interpolated row, MPa: its distance from the row's pressure, at most, and itself, at least.
 struct ExactPressure {
     double distance, lowest;
 };

@@ -8,7 +8,6 @@
 #include <boost/math/interpolators/cardinal_cubic_b_spline.hpp>
 
 namespace rough {
-
 namespace {
 
 using Heights = Eigen::ArrayXXd;

@@ -7,7 +7,6 @@
 #include "ga/base/stopwatch.hpp"
 
 namespace rough {
-
 namespace {
 
 /// Shares of the requested accuracy; the remaining share is left to the grid.

@@ -9,7 +9,6 @@
 #include <optional>
 
 namespace rough {
-
 namespace {
 
 using std::numbers::pi;

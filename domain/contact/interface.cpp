@@ -35,8 +35,7 @@ Interface interface_at(const Profile& surface, const Body& body, const LoadStep&
 SmoothArea smooth_area(const Profile& profile, const Body& body, const ContactCurve& curve, bool with_derivatives) {
     constexpr double tolerance = 1e-9; // residual of the adjoint's solutions over the right-hand side
     constexpr long max_iterations = 500;
-    // Keeps an edge's rate finite if both of its nodes are at the edge of contact; a share of the
-    // displacement.
+    // Keeps an edge's rate finite if both of its nodes are at the edge of contact; a share of the displacement.
     constexpr double closest = 1e-9;
     const ContactProblem problem = make_problem(profile, body, column(curve.steps, &LoadStep::displacement));
     const Index n = problem.nodes(), steps = static_cast<Index>(curve.steps.size());

@@ -6,7 +6,6 @@
 #include <numbers>
 
 namespace rough {
-
 namespace {
 
 using std::numbers::pi;

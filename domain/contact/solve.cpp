@@ -12,7 +12,6 @@
 #include <tuple>
 
 namespace rough {
-
 namespace {
 
 /// A step in MPa and mm, at this displacement (mm).
@@ -186,9 +185,8 @@ LoadStep pressed_to(double pressure, double full, const Profile& profile, const 
                                " MPa; the last one tried gave ", from.pressure, " MPa"));
 }
 
-/// The state of full contact under a load, if none of its nodes is under tension or at the hardness. Every
-/// such load has the same displacement. K is that of all nodes except the least loaded one, as just below
-/// full contact.
+/// The state of full contact under a load, if none of its nodes is under tension or at the hardness. Every such load
+/// has the same displacement. K is that of all nodes except the least loaded one, as just below full contact.
 std::optional<StepSolution> pressed_flat(double load, const ContactProblem& problem, const ContactOptions& options) {
     SurfaceState state(problem.nodes()), tangent(problem.nodes());
     state.pressure = full_contact_pressure(problem).array() + load / static_cast<double>(problem.nodes());

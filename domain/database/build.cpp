@@ -8,7 +8,6 @@
 #include <unistd.h>
 
 namespace rough {
-
 namespace {
 
 /// The unfinished batches of a build.

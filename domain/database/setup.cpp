@@ -5,7 +5,6 @@
 #include <charconv>
 
 namespace rough {
-
 namespace {
 
 /// The value of a field, or null.

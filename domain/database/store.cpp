@@ -8,7 +8,6 @@
 #include <bit>
 
 namespace rough {
-
 namespace {
 
 /// Calls `work`. Throws InputError that begins with the file if SQLite reports an error.

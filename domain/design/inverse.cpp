@@ -6,7 +6,6 @@
 #include <Eigen/Cholesky>
 
 namespace rough {
-
 namespace {
 
 /// H on all nodes in contact order: displacement (mm) per unit of pressure (MPa).

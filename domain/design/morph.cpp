@@ -9,7 +9,6 @@
 #include <numbers>
 
 namespace rough {
-
 namespace {
 
 constexpr int first_try = 20, second_try = 12; ///< maximum numbers of curves with derivatives

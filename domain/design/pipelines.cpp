@@ -8,7 +8,6 @@
 #include <numbers>
 
 namespace rough {
-
 namespace {
 
 constexpr Index min_coarse_nodes = 32;      ///< along either side of a coarser grid

@@ -9,7 +9,6 @@
 template class ga::Checkpoints<rough::DesignProblem>;
 
 namespace rough {
-
 namespace {
 
 constexpr std::size_t max_verified_on_map = 2; ///< answers of the pipeline

@@ -14,7 +14,6 @@
 #include <numbers>
 
 namespace rough {
-
 namespace {
 
 /// The order in which nodes touch: by distance from the nearest peak, relative to the peak's width. In half

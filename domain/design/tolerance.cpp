@@ -9,7 +9,6 @@
 #include <span>
 
 namespace rough {
-
 namespace {
 
 constexpr int min_draws = 40, max_draws = 1000, min_draws_in_time = 5;

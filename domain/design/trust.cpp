@@ -7,7 +7,6 @@
 #include <numbers>
 
 namespace rough {
-
 namespace {
 
 const std::string in_finer_steps_too = "4 times the load steps, for the target too";

@@ -3,7 +3,6 @@
 #include "domain/errors.hpp"
 
 namespace rough {
-
 namespace {
 
 /// The genome's profile on a grid. Throws InputError if it is flat.

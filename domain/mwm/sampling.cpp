@@ -7,7 +7,6 @@
 #include <numbers>
 
 namespace rough {
-
 namespace {
 
 /// cos and sin of from + step * j, j = 0..count-1, by doubling with the addition theorem. Each value is a
@@ -117,8 +116,7 @@ Eigen::MatrixXd sampled_from(double offset, const std::vector<PlaneWave>& all, c
     return heights;
 }
 
-/// Sums of one functional over a map. S = sum g exp(i(k_x x + k_y y)); T_x and T_y have g x and g y in place
-/// of g.
+/// Sums of one functional over a map. S = sum g exp(i(k_x x + k_y y)); T_x and T_y have g x and g y in place of g.
 struct PlaneSums {
     Eigen::VectorXcd S, Tx, Ty;
 };

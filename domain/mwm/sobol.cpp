@@ -6,7 +6,6 @@
 #include <numbers>
 
 namespace rough {
-
 namespace {
 
 /// `count` points of the Sobol sequence in [0,1)^dimension. Its first point is the middle, as Boost omits the

@@ -7,7 +7,6 @@
 #include <numbers>
 
 namespace rough {
-
 namespace {
 
 constexpr double full_turn = 2 * std::numbers::pi;

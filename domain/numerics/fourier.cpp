@@ -3,11 +3,9 @@
 #include <numbers>
 
 namespace rough {
-
 namespace {
 
-/// Rows or columns that are transformed together: as many columns as fit the first cache, in whole lines of
-/// the rows.
+/// Rows or columns that are transformed together: as many columns as fit the first cache, in whole lines of the rows.
 constexpr Index block = 8;
 /// Distance of successive columns. A power of two would put all columns in the same places of the cache.
 constexpr Index column_stride(Index rows) { return rows + block; }
@@ -58,8 +56,7 @@ void multiply(std::complex<Real>* numbers, const Real* eigenvalues, Index count)
     for (Index k = 0; k < count; ++k) numbers[k] *= eigenvalues[k];
 }
 
-/// Multiplies by eigenvalues that are given for k = 0..n/2. That of a larger k is that of n - k, or of n-1-k
-/// if `skew`.
+/// Multiplies by eigenvalues that are given for k = 0..n/2. That of a larger k is that of n - k, or of n-1-k if `skew`.
 template <typename Real>
 void multiply_mirrored(std::complex<Real>* numbers, const Real* eigenvalues, Index n, bool skew = false) {
     multiply(numbers, eigenvalues, n / 2 + 1);

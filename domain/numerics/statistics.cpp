@@ -8,7 +8,6 @@
 #include <numeric>
 
 namespace rough {
-
 namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();

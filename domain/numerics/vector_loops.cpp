@@ -5,7 +5,6 @@
 #include <vector>
 
 namespace rough {
-
 namespace {
 
 /// The loops that this processor can run, the widest first.

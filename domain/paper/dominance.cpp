@@ -5,7 +5,6 @@
 #include "domain/problem/prices.hpp"
 
 namespace rough {
-
 namespace {
 
 constexpr double undefined = std::numeric_limits<double>::quiet_NaN();

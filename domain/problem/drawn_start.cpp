@@ -6,7 +6,6 @@
 #include <numbers>
 
 namespace rough {
-
 namespace {
 
 double within(double value, double from, double to) { return std::clamp(value, from, std::max(from, to)); }

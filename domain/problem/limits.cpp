@@ -3,7 +3,6 @@
 #include <numbers>
 
 namespace rough {
-
 namespace {
 
 /// A point of the surface, mm, and the unit vector of a direction there.

@@ -7,7 +7,6 @@
 #include <numbers>
 
 namespace rough {
-
 namespace {
 
 /// The number of fixed draws of noise. Searches begin on coarser grids, with fewer draws.

@@ -6,7 +6,6 @@
 #include <cmath>
 
 namespace rough {
-
 namespace {
 
 /// Processor time of one curve of 20 load steps, ms, at numbers of nodes that grow by a constant factor. It

@@ -7,7 +7,6 @@
 #include <numbers>
 
 namespace rough {
-
 namespace {
 
 /// Refinement aims this far inside the limits on shape, so that it need not end on their edge.

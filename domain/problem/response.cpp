@@ -4,7 +4,6 @@
 #include "domain/numerics/statistics.hpp"
 
 namespace rough {
-
 namespace {
 
 /// The share of the displacement of full contact at which a curve ends if it cannot be continued.

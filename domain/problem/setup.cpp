@@ -4,7 +4,6 @@
 #include "domain/errors.hpp"
 
 namespace rough {
-
 namespace {
 
 constexpr Index max_exactly_reported = 16385; ///< nodes of the finer grid

@@ -5,7 +5,6 @@
 #include "ga/base/stopwatch.hpp"
 
 namespace rough {
-
 namespace {
 
 /// The displacement at a pressure, mm, by the cubic through the pressures and tangents of the load steps about it.

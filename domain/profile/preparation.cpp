@@ -12,7 +12,6 @@
 #include <tuple>
 
 namespace rough {
-
 namespace {
 
 /// The height w over c of the circle through (0, c) with angle theta and curvature kappa there. It solves

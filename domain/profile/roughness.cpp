@@ -10,7 +10,6 @@
 #include <numbers>
 
 namespace rough {
-
 namespace {
 
 constexpr Index min_nodes = 10;
@@ -75,9 +74,8 @@ std::vector<Stretch> stretches(const Eigen::VectorXd& z) {
     return found;
 }
 
-/// Mean sizes of the profile elements. An element is a hill and a dale next to each other. It extends from
-/// one crossing of the mean line to the next but one (ISO 21920-2: crossing-the-line segmentation, done from
-/// both ends).
+/// Mean sizes of the profile elements. An element is a hill and a dale next to each other. It extends from one crossing
+/// of the mean line to the next but one (ISO 21920-2: crossing-the-line segmentation, done from both ends).
 struct ProfileElements {
     double RSm = 0; ///< mean width, mm; NaN without a whole element
     double Rc = 0;  ///< mean height from dale to hill, mm

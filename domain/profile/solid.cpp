@@ -12,7 +12,6 @@
 #include <png.h>
 
 namespace rough {
-
 namespace {
 
 using Vertex = Eigen::Vector3f;

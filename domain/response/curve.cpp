@@ -3,7 +3,6 @@
 #include "domain/errors.hpp"
 
 namespace rough {
-
 namespace {
 
 /// Row j - 1 in place of each row j; zeros in place of the first.

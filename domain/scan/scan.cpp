@@ -6,7 +6,6 @@
 #include <numeric>
 
 namespace rough {
-
 namespace {
 
 /// A scan's points as the file gives them; NaN if a value is missing.

@@ -4,7 +4,6 @@
 #include "domain/errors.hpp"
 
 namespace rough {
-
 namespace {
 
 constexpr double negligible = 1e-6; ///< largest misfit from rounding in files with at least four digits

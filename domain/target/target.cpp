@@ -10,7 +10,6 @@
 #include <cstdio>
 
 namespace rough {
-
 namespace {
 
 using Separator = Dialect::Separator;

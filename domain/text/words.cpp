@@ -14,7 +14,6 @@
 #include <limits>
 
 namespace rough {
-
 namespace {
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }

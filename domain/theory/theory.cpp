@@ -12,7 +12,6 @@
 #include <numbers>
 
 namespace rough {
-
 namespace {
 
 /// int q^n C dq over the spectrum, for any directions of the waves.
@@ -100,9 +99,8 @@ Ellipse ellipse(double kappa) {
     return {share * std::sqrt((1 - e * e) * ratio), pi / (2 * K) * std::sqrt(share) * std::pow(ratio, 0.25)};
 }
 
-/// Summits of mean curvature x sqrt(2 m4/3), integrated over the difference of their two curvatures. The
-/// difference is kappa times their sum, and kappa's part of the density is 2 kappa (1 - kappa^2) x^4
-/// exp(-kappa^2 x^2).
+/// Summits of mean curvature x sqrt(2 m4/3), integrated over the difference of their two curvatures. The difference is
+/// kappa times their sum, and kappa's part of the density is 2 kappa (1 - kappa^2) x^4 exp(-kappa^2 x^2).
 struct Sharpness {
     double x, weight;  ///< node and weight of Gauss' rule over x
     double area, load; ///< sums over the summits, each pressed by an approach of 1

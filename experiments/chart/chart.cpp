@@ -63,8 +63,7 @@ Profile self_affine(Index side, bool is_map, double longest, double shortest, st
 }
 Profile map_on(Index side) { return self_affine(side, true, 0.25, 1.0 / 16, 1); }
 
-/// A random periodic surface, pressed to 0.1 to 99.9 % in contact by Persson's theory. Loads of 1 to 90 %
-/// count.
+/// A random periodic surface, pressed to 0.1 to 99.9 % in contact by Persson's theory. Loads of 1 to 90 % count.
 ChartScene random_scene(const std::string& name, const std::string& words, bool is_map,
                         const std::function<Profile(Index)>& on) {
     ChartScene scene{name, words, {}, is_map, on, {}, 2};
@@ -92,8 +91,7 @@ ChartCurve curve_of(const std::vector<rough::LoadStep>& steps, std::size_t loads
     return curve;
 }
 
-/// Solves a surface at pressures. Those beyond full contact have no answer, and neither have those after
-/// them.
+/// Solves a surface at pressures. Those beyond full contact have no answer, and neither have those after them.
 ChartCurve solved(const Profile& surface, const rough::Body& body, const std::vector<double>& pressures,
                   const rough::ContactOptions& options, long* iterations = nullptr) {
     std::vector<double> loads = pressures;

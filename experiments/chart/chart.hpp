@@ -23,9 +23,8 @@ struct ChartScene {
     static constexpr std::size_t counted = 9;          ///< number of loads that count
 };
 
-/// self-affine-map, ground-map, self-affine-line, mwm-smooth, mwm-rough, fractional-brownian, hertz and
-/// westergaard. The loads of the first three have 0.1 to 99.9 % in contact, those after them span two
-/// decades.
+/// self-affine-map, ground-map, self-affine-line, mwm-smooth, mwm-rough, fractional-brownian, hertz and westergaard.
+/// The loads of the first three have 0.1 to 99.9 % in contact, those after them span two decades.
 std::vector<ChartScene> chart_scenes();
 
 /// The answer of a model at the loads of a scene. A load without an answer has NaN.

@@ -9,7 +9,6 @@
 #include <cstdio>
 
 namespace app {
-
 namespace {
 
 using nlohmann::json;

@@ -20,10 +20,9 @@ struct Benchmark {
     std::optional<rough::DesignSetup> setup = {}; ///< null unless it is a roughness problem
 };
 
-/// Problems by the names of problems or groups. Names are bbobN (BBOB's functions in N dimensions), bbobN-F,
-/// zdt, dtlz, knapsack, tsp, their problems, and roughness: one problem for each of the given setups. If
-/// there are several, the names of their targets follow, as in roughness-drawn. Throws rough::InputError on
-/// other names.
+/// Problems by the names of problems or groups. Names are bbobN (BBOB's functions in N dimensions), bbobN-F, zdt, dtlz,
+/// knapsack, tsp, their problems, and roughness: one problem for each of the given setups. If there are several, the
+/// names of their targets follow, as in roughness-drawn. Throws rough::InputError on other names.
 std::vector<Benchmark> benchmarks(const std::vector<std::string>& names,
                                   const std::vector<rough::DesignSetup>& roughness);
 

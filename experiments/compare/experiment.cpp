@@ -3,7 +3,6 @@
 #include "experiments/compare/contest.hpp"
 
 namespace app {
-
 namespace {
 
 using nlohmann::json;
@@ -100,8 +99,7 @@ Contestants contestants_of(const Settings& settings, const std::string& kind) {
     return given.empty() ? usual : given;
 }
 
-/// The setup of every target on every grid of model.nodes. A name is the target's, with the grid from the
-/// second on.
+/// The setup of every target on every grid of model.nodes. A name is the target's, with the grid from the second on.
 std::vector<rough::DesignSetup> roughness_from(const Settings& settings) {
     std::vector<std::string> grids = rough::listed(settings.text("model.nodes"));
     if (grids.empty()) grids.emplace_back();

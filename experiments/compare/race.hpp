@@ -25,9 +25,8 @@ using RealInstance = Instance<std::vector<double>>;
 using BitsInstance = Instance<std::vector<bool>>;
 using TourInstance = Instance<ga::Permutation>;
 
-/// The precision of all feasible evaluations so far. For one objective it is the lowest precision. For
-/// several it is IGD+ (Ishibuchi et al. 2015): the mean over the true front's points of the shortfall of the
-/// nearest evaluation.
+/// The precision of all feasible evaluations so far. For one objective it is the lowest precision. For several it is
+/// IGD+ (Ishibuchi et al. 2015): the mean over the true front's points of the shortfall of the nearest evaluation.
 class Nearness {
   public:
     template <class G>
@@ -94,10 +93,9 @@ class Tally {
     Reached reached_;
 };
 
-/// Runs a variant on an instance until its targets are reached or its budget is spent. A variant is a
-/// pipeline or the name of an algorithm of libpagmo. If it ends earlier it restarts, as in COCO. In a
-/// pipeline `1/n` is one gene's share, and `18n` is 18 times the number of genes. `objectives` stands for the
-/// names of all objectives.
+/// Runs a variant on an instance until its targets are reached or its budget is spent. A variant is a pipeline or the
+/// name of an algorithm of libpagmo. If it ends earlier it restarts, as in COCO. In a pipeline `1/n` is one gene's
+/// share, and `18n` is 18 times the number of genes. `objectives` stands for the names of all objectives.
 template <class G>
 Reached raced(const Instance<G>& instance, const std::string& variant, const std::vector<double>& targets,
               const Attempt& attempt);
@@ -113,10 +111,9 @@ const std::vector<std::string>& pagmo_variants(bool several = false);
 /// Throws ga::UsageError on a name that is not in pagmo_variants for these objectives, and on constraints.
 void expect_pagmos(const RealInstance& instance, const std::string& variant);
 
-/// Runs an algorithm of libpagmo with its default parameters on an instance. It ends by tolerances of 1e-12
-/// and then restarts. The population is 40 for sga and 20 for de and sade. For cmaes it is 4 + 3 ln n
-/// (Hansen), at least 5. For several objectives it is 100, and moead draws its weights from a sequence of low
-/// discrepancy.
+/// Runs an algorithm of libpagmo with its default parameters on an instance. It ends by tolerances of 1e-12 and then
+/// restarts. The population is 40 for sga and 20 for de and sade. For cmaes it is 4 + 3 ln n (Hansen), at least 5. For
+/// several objectives it is 100, and moead draws its weights from a sequence of low discrepancy.
 Reached raced_by_pagmo(const RealInstance& instance, const std::string& variant, const std::vector<double>& targets,
                        const Attempt& attempt);
 

@@ -3,7 +3,6 @@
 #include "experiments/paper/paper.hpp"
 
 namespace app {
-
 namespace {
 
 using Run = const PaperRun&;

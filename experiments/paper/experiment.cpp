@@ -12,7 +12,6 @@
 extern template class ga::Checkpoints<rough::DesignProblem>; // is in domain/design/search.cpp
 
 namespace app {
-
 namespace {
 
 using rough::DesignProblem;

@@ -5,7 +5,6 @@
 #include <numbers>
 
 namespace app {
-
 namespace {
 
 /// `difference` of the two curves at each point of `a` within the range of `b`.

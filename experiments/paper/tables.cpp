@@ -5,7 +5,6 @@
 #include <boost/algorithm/string/case_conv.hpp>
 
 namespace app {
-
 namespace {
 
 using nlohmann::json;

@@ -6,7 +6,6 @@
 #include <numbers>
 
 namespace app {
-
 namespace {
 
 using Eigen::VectorXd;

@@ -3,7 +3,6 @@
 #include "ga/observers/hall_of_fame.hpp"
 
 namespace app {
-
 namespace {
 
 constexpr std::size_t gene_count = 14, old_gene_count = 11;

@@ -9,8 +9,7 @@
 /// Scenes in which contact solvers may fail, and the check of their results.
 namespace app {
 
-/// The change of a map: none, 16 levels of height, one high spike, a flat top, or an offset of 1e6
-/// mm.
+/// The change of a map: none, 16 levels of height, one high spike, a flat top, or an offset of 1e6 mm.
 enum class MapShape { rough, quantised, spiked, plateaued, raised };
 constexpr int map_shapes = 5; ///< number of shapes
 
@@ -39,9 +38,8 @@ std::string bred_name(const std::vector<double>& genome);
 bool is_bred(const std::string& name);
 ContactScene bred_scene(const std::string& name);
 ///@}
-/// Breeds maps on which the solver `auto` fails, is contradicted by another one, or takes the most products
-/// with H per load step. A genetic algorithm of the engine presses `evaluations` maps. Returns the ten worst,
-/// the worst first.
+/// Breeds maps on which the solver `auto` fails, is contradicted by another one, or takes the most products with H per
+/// load step. A genetic algorithm of the engine presses `evaluations` maps. Returns the ten worst, the worst first.
 std::vector<ContactScene> bred_scenes(long evaluations, std::uint64_t seed, int threads, const std::atomic<bool>& stop);
 
 /// The verdict on trials in words: first wrong curves, then the scenes on which `auto` failed, then numbers
@@ -54,9 +52,8 @@ std::string stability_verdict(const nlohmann::json& rows, const std::set<std::st
 /// It also solves displacements that are a tolerance smaller and larger, because a node that just touches may
 /// or may not count. Results must lie in the range of these solutions.
 ///
-/// Under loads the other solver solves the displacements that were found. The given loads must then lie in
-/// the range of its pressures, and a thousandth of the nodes may differ. Load steps that no other solver
-/// solves are not compared.
+/// Under loads the other solver solves the displacements that were found. The given loads must then lie in the range of
+/// its pressures, and a thousandth of the nodes may differ. Load steps that no other solver solves are not compared.
 void verify(const ContactScene& scene, ContactTrial& trial);
 
 } // namespace app

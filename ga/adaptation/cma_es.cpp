@@ -5,7 +5,6 @@
 #include <Eigen/Eigenvalues>
 
 namespace ga {
-
 namespace {
 
 /// Reflects a value at its bounds until it is between them.

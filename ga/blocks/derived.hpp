@@ -4,10 +4,9 @@
 
 namespace ga {
 
-/// Runs `body` under a problem derived from the run's problem, for example with a coarser grid. Returns the
-/// body's population, unscored. The body's evaluations count for the run and its budget. Observers see the
-/// body's events, marked as derived. If the run stops inside the body, checkpoints contain the run's state
-/// before the stage.
+/// Runs `body` under a problem derived from the run's problem, for example with a coarser grid. Returns the body's
+/// population, unscored. The body's evaluations count for the run and its budget. Observers see the body's events,
+/// marked as derived. If the run stops inside the body, checkpoints contain the run's state before the stage.
 template <Problem P>
 PopulationOf<P> run_derived(const Pipeline<P>& body, const P& problem, PopulationOf<P> population,
                             Context<P>& context) {

@@ -12,11 +12,10 @@ struct Migration {
     std::size_t migrants = 1; ///< number of individuals that each island copies to the next one per round
 };
 
-/// Splits the population into n islands (individual i goes to island i modulo n). Each island evolves
-/// separately under the body, with migration between rounds (Cohoon, Hegde, Martin and Richards 1987). At the
-/// end the populations of all islands become one population. Islands run in parallel, and the evaluations of
-/// all islands are made together (`Rounds`). Checkpoints are written between two rounds. Evaluations of an
-/// unfinished round are not counted twice.
+/// Splits the population into n islands (individual i goes to island i modulo n). Each island evolves separately under
+/// the body, with migration between rounds (Cohoon, Hegde, Martin and Richards 1987). At the end the populations of all
+/// islands become one population. Islands run in parallel, and the evaluations of all islands are made together
+/// (`Rounds`). Checkpoints are written between two rounds. Evaluations of an unfinished round are not counted twice.
 template <class Body>
 struct Islands : Operator {
     std::size_t n = 2;   ///< number of islands, 2 to 10,000

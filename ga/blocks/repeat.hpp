@@ -78,9 +78,8 @@ template <Problem P, class G = typename P::Genome>
             0, stages->begins()};
 }
 
-/// Runs a body n times, each time on the previous result. Each time is a generation, with different random
-/// numbers. After 10,000 generations without a requested evaluation the block ends with a note, like every
-/// block of generations.
+/// Runs a body n times, each time on the previous result. Each time is a generation, with different random numbers.
+/// After 10,000 generations without a requested evaluation the block ends with a note, like every block of generations.
 template <class Body>
 struct Repeat : Operator {
     std::size_t n = 1; ///< number of generations, >= 1

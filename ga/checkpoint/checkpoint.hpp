@@ -12,13 +12,11 @@ namespace ga {
 /// file that was cut off or damaged is detected.
 std::string seal_of(std::string_view bytes);
 
-/// Reads the content of a sealed file. Throws UsageError, with the file's name, if it cannot be read or is
-/// damaged.
+/// Reads the content of a sealed file. Throws UsageError, with the file's name, if it cannot be read or is damaged.
 std::string opened(const std::filesystem::path& file);
 
-/// Writes a sealed file and keeps the previous one as "FILE.before". The new file is completely on disk
-/// before it is renamed to this name. Symbolic links are not followed. Returns the error in words, or an
-/// empty text.
+/// Writes a sealed file and keeps the previous one as "FILE.before". The new file is completely on disk before it is
+/// renamed to this name. Symbolic links are not followed. Returns the error in words, or an empty text.
 std::string seal(const std::filesystem::path& name, std::string_view bytes);
 
 /// Reads CBOR. Throws UsageError, with the file's name, if it nests too deep (bounded_json), and nlohmann's
@@ -95,9 +93,8 @@ void from_json(const json& j, Snapshot<G>& snapshot) {
 }
 ///@}
 
-/// Whether a value from a file can be one of a run of the problem, so that stages need not check it. Checks
-/// genomes by `is_valid`, fitnesses by their policy, counters by their range, and observers' values by their
-/// `is_valid()`.
+/// Whether a value from a file can be one of a run of the problem, so that stages need not check it. Checks genomes by
+/// `is_valid`, fitnesses by their policy, counters by their range, and observers' values by their `is_valid()`.
 template <Problem P, class T>
 bool can_be_kept(const P& problem, const T& value) {
     using G = typename P::Genome;

@@ -6,8 +6,7 @@
 namespace ga {
 
 /// Clearing (Petrowski 1996). Individuals are visited from the best to the worst. An individual is removed if
-/// `capacity` better individuals that stay are within the distance `radius`. The result is sorted, best
-/// first.
+/// `capacity` better individuals that stay are within the distance `radius`. The result is sorted, best first.
 struct Clearing : Operator {
     double radius = 0.1;      ///< niche radius, above 0
     std::size_t capacity = 1; ///< number of individuals per niche, >= 1
@@ -86,10 +85,9 @@ struct Crowding : Operator {
     }
 };
 
-/// Fitness sharing (Goldberg and Richardson 1987) with stochastic universal sampling. The fitness of an
-/// individual is divided by the size of its niche. This size is the sum of 1 - (d/radius)^alpha over all
-/// individuals whose distance d is below `radius`. If a fitness is below 0, all fitnesses are first raised so
-/// that the worst is 0.
+/// Fitness sharing (Goldberg and Richardson 1987) with stochastic universal sampling. The fitness of an individual is
+/// divided by the size of its niche. This size is the sum of 1 - (d/radius)^alpha over all individuals whose distance d
+/// is below `radius`. If a fitness is below 0, all fitnesses are first raised so that the worst is 0.
 struct Sharing : ByFitness {
     static constexpr const char* needs = no_distance; ///< members that the problem must have, for the listing
     static constexpr bool one_spin = true;            ///< whether one spin fills all places

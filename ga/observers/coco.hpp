@@ -21,10 +21,9 @@ struct CocoFunction {
 };
 
 /// Writes the runs of one algorithm in the format of COCO (Hansen et al. 2021, COCO: a platform for comparing
-/// continuous optimizers in a black-box setting), which cocopp and IOHanalyzer read. There is
-/// FOLDER/bbobexp_fN.info for each function, and FOLDER/data_fN/bbobexp_fN_DIMd.dat and .tdat for each
-/// dimension. Rows have no genes. Throws std::filesystem::filesystem_error or UsageError if a file cannot be
-/// written.
+/// continuous optimizers in a black-box setting), which cocopp and IOHanalyzer read. There is FOLDER/bbobexp_fN.info
+/// for each function, and FOLDER/data_fN/bbobexp_fN_DIMd.dat and .tdat for each dimension. Rows have no genes. Throws
+/// std::filesystem::filesystem_error or UsageError if a file cannot be written.
 void write_coco(const std::filesystem::path& folder, const std::string& algorithm,
                 const std::vector<CocoFunction>& functions);
 

@@ -1,7 +1,6 @@
 #include "ga/pareto/many_objectives.hpp"
 
 namespace ga {
-
 namespace {
 
 /// The individuals that are surely kept, and the front from which others fill the room.

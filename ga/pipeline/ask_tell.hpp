@@ -69,8 +69,7 @@ class AskTell : Evaluator<P> {
         const auto generation = calls_[id - first_].generation;
         return {generation.begin(), generation.end()};
     }
-    /// Answers an open proposal. Throws UsageError if the proposal is not open. A stopped run ignores
-    /// answers.
+    /// Answers an open proposal. Throws UsageError if the proposal is not open. A stopped run ignores answers.
     void tell(std::size_t id, Outcome outcome) { answer(id, std::move(outcome)); }
     /// Marks the evaluation of a proposal as failed, with the reason.
     void fail(std::size_t id, std::string why) { answer(id, reason(std::move(why))); }

@@ -140,8 +140,7 @@ template <class T>
 }
 /// Throws UsageError if a value of the stage called `name` is out of range.
 void check_values(const std::vector<BoundParameter>& fields, const std::string& name);
-/// Throws UsageError if a value of an object that describes itself is out of range, or as its validate()
-/// does.
+/// Throws UsageError if a value of an object that describes itself is out of range, or as its validate() does.
 template <class T>
 [[gnu::cold]] void check_values(T described, const std::string& name) {
     check_values(bound_parameters(described), name);

@@ -41,8 +41,7 @@ struct CheckState {
     std::string objective(const std::string& stage, const std::string& name) const;
 };
 
-/// One operator for one type of problem: its text ("best 3"; the first word is its name), its check and its
-/// action.
+/// One operator for one type of problem: its text ("best 3"; the first word is its name), its check and its action.
 template <Problem P>
 struct Stage {
     using Genome = typename P::Genome;      ///< genome of the problem
@@ -77,8 +76,7 @@ struct Stage {
 struct Operator : NoParameters {
     static constexpr bool begins = false;     ///< whether it works without a population
     static constexpr bool keeps_size = false; ///< whether it adds no individual, or check sets `at_most`
-    /// Number of the best individuals that it reads of the generation's start, the population at its
-    /// beginning.
+    /// Number of the best individuals that it reads of the generation's start, the population at its beginning.
     std::size_t reads_of_start() const { return 0; }
 };
 
@@ -103,8 +101,7 @@ struct Sequence : Operator {
     B second; ///< operator that runs on the result of the first
 };
 
-/// A pipeline: a list of operators, Population -> Population. `|` joins lists, so that parentheses have no
-/// effect.
+/// A pipeline: a list of operators, Population -> Population. `|` joins lists, so that parentheses have no effect.
 template <Problem P>
 class Pipeline {
   public:
@@ -155,8 +152,7 @@ class Pipeline {
             });
     }
 
-    /// Sends a population through every stage. Throws Stopped when the budget is spent or a selection is
-    /// empty.
+    /// Sends a population through every stage. Throws Stopped when the budget is spent or a selection is empty.
     Population<Genome> operator()(Population<Genome> population, Context<P>& context) const {
         typename Context<P>::OpenFrame frame(context.state, std::move(population));
         expect_fit(frame->next <= stages_.size());

@@ -37,11 +37,10 @@ std::vector<double> classes_by_rules(std::span<const Fitness* const> all);
 /// the front, from 0, and the crowding distance c. Infeasible individuals follow, by their violation.
 std::vector<double> crowded_merits(std::span<const Fitness* const> all);
 
-/// The merit of each individual, compared with the other given individuals. Higher is better; failed
-/// individuals have minus infinity. Under one objective the merit is the value, with its sign changed if the
-/// objective is minimised. If any of the given individuals violates a constraint, all merits are classes by
-/// Deb's rules. Under several objectives the merits are crowded_merits(). Throws UsageError if policies
-/// differ or an individual is unscored.
+/// The merit of each individual, compared with the other given individuals. Higher is better; failed individuals have
+/// minus infinity. Under one objective the merit is the value, with its sign changed if the objective is minimised. If
+/// any of the given individuals violates a constraint, all merits are classes by Deb's rules. Under several objectives
+/// the merits are crowded_merits(). Throws UsageError if policies differ or an individual is unscored.
 std::vector<double> merits(std::span<const Fitness* const> all);
 /// The fitnesses of a population, followed by those of `others`.
 template <class G>
@@ -88,8 +87,7 @@ void replace_worst(Population<G>& population, Population<G> by) {
         population[order[order.size() - 1 - i]] = std::move(by[i]);
 }
 
-/// The part of a generation's start that a block keeps: the best `reads` individuals, or all for
-/// `all_individuals`.
+/// The part of a generation's start that a block keeps: the best `reads` individuals, or all for `all_individuals`.
 template <class G>
 Population<G> start_of_generation(const Population<G>& population, std::size_t reads) {
     return reads == 0 ? Population<G>() : reads == all_individuals ? population : best_of(population, reads);

@@ -100,8 +100,7 @@ class Fitness {
         need(true);
         return minimise_ ? -value_ : value_;
     }
-    /// The values under several objectives, with higher being better; empty under one objective or after a
-    /// failure.
+    /// The values under several objectives, with higher being better; empty under one objective or after a failure.
     const Point& values() const {
         static const Point none;
         need(false);

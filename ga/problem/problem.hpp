@@ -96,8 +96,7 @@ concept Noisy = Problem<P> && requires(const P& problem, const typename P::Genom
     { problem.evaluate(genome, replicate) } -> std::same_as<typename P::Outcome>;
 };
 
-/// Optional: bytes that identify the genome, if ga cannot read its bits or several genomes have the same
-/// outcome.
+/// Optional: bytes that identify the genome, if ga cannot read its bits or several genomes have the same outcome.
 template <class P>
 concept Keyed = requires(const P& problem, const typename P::Genome& genome) {
     { problem.key(genome) } -> std::convertible_to<std::string>;
@@ -262,8 +261,7 @@ concept Bounded = requires(const P& problem, const typename P::Genome& genome) {
     { problem.bounds(genome) } -> std::convertible_to<const std::vector<Variable>&>;
 };
 
-/// The problem's bounds. Throws UsageError if genes are not in ascending order, or a lower bound is above the
-/// upper.
+/// The problem's bounds. Throws UsageError if genes are not in ascending order, or a lower bound is above the upper.
 template <Bounded P>
 decltype(auto) checked_bounds(const P& problem, const typename P::Genome& genome) {
     decltype(auto) all = problem.bounds(genome);
@@ -340,9 +338,8 @@ template <class Member>
 constexpr bool is_function_member =
     std::is_member_function_pointer_v<Member> || std::is_function_v<std::remove_pointer_t<Member>>;
 
-/// Gives a compile-time error with the name of a member that does not fit its concept, or whose name is a
-/// likely misspelling. Without this check such a member would be ignored. Overloaded and templated members
-/// are not checked.
+/// Gives a compile-time error with the name of a member that does not fit its concept, or whose name is a likely
+/// misspelling. Without this check such a member would be ignored. Overloaded and templated members are not checked.
 template <class P>
 constexpr bool members_fit() {
 #define GA_MEMBER_FITS(member, Concept)                                                                                \

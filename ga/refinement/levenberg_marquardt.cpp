@@ -3,7 +3,6 @@
 #include <Eigen/Cholesky>
 
 namespace ga {
-
 namespace {
 
 constexpr int lawson_rounds = 20;

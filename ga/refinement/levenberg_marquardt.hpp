@@ -11,9 +11,8 @@ struct LevenbergMarquardt {
     static constexpr bool on_residuals = true; ///< whether it uses residuals and their derivatives
 
     int evaluations = 30; ///< maximum number of evaluations after the start point, >= 1
-    /// Number of evaluations after which steps minimise the largest residual of the linear model instead of
-    /// the sum of squares; 0: never. Lawson's iteration (1961) weights the rows. A step is then accepted if
-    /// it reduces max|r|.
+    /// Number of evaluations after which steps minimise the largest residual of the linear model instead of the sum of
+    /// squares; 0: never. Lawson's iteration (1961) weights the rows. A step is then accepted if it reduces max|r|.
     int sharpen = 0;
 
     static Words words() { return {"lm", "refinement", "Levenberg-Marquardt on the residuals' squares"}; }

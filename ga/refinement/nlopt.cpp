@@ -127,8 +127,7 @@ Eigen::VectorXd Minimax::improve(const Landscape& land) const {
     upper << land.upper, worst;
     start << land.start, worst;
     NloptSearch search(nlopt::LD_MMA, lower, upper, evaluations + 1);
-    // By default LD_MMA solves each step's dual to 1e-14, which takes 160 times as long for the same
-    // result.
+    // By default LD_MMA solves each step's dual to 1e-14, which takes 160 times as long for the same result.
     search->set_param("dual_ftol_rel", 1e-6);
     BestPoint best{land.start, -worst};
     bool at_start = true; // the sensitivity there is known

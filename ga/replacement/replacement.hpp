@@ -63,9 +63,8 @@ struct Plus : Operator {
     }
 };
 
-/// Removes individuals whose genome equals that of an earlier individual. With a distance, removes
-/// individuals within this distance of an earlier one that stays. Put `best n` before this stage to keep the
-/// better ones.
+/// Removes individuals whose genome equals that of an earlier individual. With a distance, removes individuals within
+/// this distance of an earlier one that stays. Put `best n` before this stage to keep the better ones.
 struct Distinct : Operator {
     double distance = 0; ///< distance, 0 or more; see ga::distance
     static Words words() { return {"distinct", "selection", "removes individuals that equal an earlier one"}; }

@@ -6,9 +6,8 @@
 
 namespace ga {
 
-/// The state that stages share while a pipeline runs: the current position, the queue of evaluations, the
-/// ledger and the run's state. There is one for the run, one for each island and one for each derived
-/// problem.
+/// The state that stages share while a pipeline runs: the current position, the queue of evaluations, the ledger and
+/// the run's state. There is one for the run, one for each island and one for each derived problem.
 template <Problem P>
 class Context {
   public:

@@ -266,8 +266,7 @@ class Ledger : public EvaluationQueue<P> {
                " evaluations failed" + (first_failure_.empty() ? "" : "; the first: " + first_failure_);
     }
 
-    /// Adds an evaluation that was made in a stage whose counts were lost. It is counted when it is
-    /// requested.
+    /// Adds an evaluation that was made in a stage whose counts were lost. It is counted when it is requested.
     void prepay(const Fingerprint& print, Evaluation<Outcome> evaluation) {
         prepaid_.at(print) = std::move(evaluation);
     }
@@ -401,8 +400,7 @@ class Ledger : public EvaluationQueue<P> {
     std::string first_failure_;
 };
 
-/// The fitness that an objective reads from an evaluation; failed if it is not finite or the evaluation
-/// failed.
+/// The fitness that an objective reads from an evaluation; failed if it is not finite or the evaluation failed.
 template <Problem P>
 Fitness fitness_of(const P& problem, const Evaluation<typename P::Outcome>& evaluation,
                    const Objective<typename P::Outcome>& objective, Name name) {

@@ -161,9 +161,8 @@ struct Event {
 template <class G>
 using Observer = std::function<void(const Event<G>&)>;
 
-/// The values that a block of stages needs to continue from its current point. The frames of all open blocks
-/// determine the point at which a run continues. A checkpoint contains them and the other members of
-/// Snapshot.
+/// The values that a block of stages needs to continue from its current point. The frames of all open blocks determine
+/// the point at which a run continues. A checkpoint contains them and the other members of Snapshot.
 template <class G>
 struct Frame {
     std::size_t next = 0;                        ///< index of the block's next stage or generation

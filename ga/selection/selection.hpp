@@ -244,8 +244,7 @@ struct Proportional : Operator {
             const auto end = std::upper_bound(ends.begin(), ends.end() - 1, mark * ends.back());
             places[i] = static_cast<std::size_t>(end - ends.begin());
         }
-        // One spin puts copies of an individual side by side. Shuffled, they do not always mate with each
-        // other.
+        // One spin puts copies of an individual side by side. Shuffled, they do not always mate with each other.
         for (std::size_t i = n; Weights::one_spin && i > 1; --i) std::swap(places[i - 1], places[spin.below(i)]);
         return context.gather(std::move(population), places);
     }

@@ -46,12 +46,11 @@ requires std::derived_from<R, StoppingRule> Rule<G> rule_of(R rule) {
             rule, R::sure};
 }
 
-/// Whether the population is better than in all earlier generations of the block. Under one objective the
-/// best individuals are compared by Deb's rules. Under several objectives the hypervolumes of the fronts are
-/// compared. Their reference is the front's minimum minus a tenth of its range. A front that extends below
-/// the reference is an improvement, and moves it. For four objectives or more the hypervolume is estimated
-/// (dominated_share). Stores in `memory` the lowest violation, the highest value and the last generation that
-/// improved.
+/// Whether the population is better than in all earlier generations of the block. Under one objective the best
+/// individuals are compared by Deb's rules. Under several objectives the hypervolumes of the fronts are compared. Their
+/// reference is the front's minimum minus a tenth of its range. A front that extends below the reference is an
+/// improvement, and moves it. For four objectives or more the hypervolume is estimated (dominated_share). Stores in
+/// `memory` the lowest violation, the highest value and the last generation that improved.
 template <class G>
 bool improves(const BlockProgress<G>& now, Numbers& memory) {
     if (memory.empty()) memory = {HUGE_VAL, -HUGE_VAL, 0};

@@ -76,8 +76,7 @@ class Registry {
         Make make = {};                    ///< makes the stage; empty if the operator does not work
     };
 
-    /// Adds an operator; make(arguments, bodies, registry) returns its stage. Throws UsageError if the name
-    /// is taken.
+    /// Adds an operator; make(arguments, bodies, registry) returns its stage. Throws UsageError if the name is taken.
     [[gnu::cold]] void add(Entry entry, Make make) {
         if (find(entry.name))
             throw UsageError("operator '" + entry.name + "' is registered twice; choose another name");

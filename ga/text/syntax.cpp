@@ -1,7 +1,6 @@
 #include "ga/text/parser.hpp"
 
 namespace ga {
-
 namespace {
 
 std::vector<std::string> names(const std::vector<Parameter>& parameters) {

@@ -5,8 +5,7 @@
 namespace ga {
 
 /// A method to cross two genomes in place. It has words() and describe() like an operator. It also has `void
-/// operator()(const P&, Genome& a, Genome& b, Stream&) const`, constrained by the members of the problem that
-/// it uses.
+/// operator()(const P&, Genome& a, Genome& b, Stream&) const`, constrained by the members of the problem that it uses.
 template <class Method, class P>
 concept Crosses = Problem<P> &&
     requires(const Method& method, const P& problem, typename P::Genome& genome, Stream& stream) {
@@ -91,9 +90,8 @@ decltype(auto) variables_of(const P& problem, const typename P::Genome& genome) 
     }
 }
 
-/// Calls cross(x, y, variable) for the real genes that may move in both parents. The variable has the bounds
-/// that both parents allow, widened to include the parents' genes. Choices are exchanged with probability
-/// 1/2.
+/// Calls cross(x, y, variable) for the real genes that may move in both parents. The variable has the bounds that both
+/// parents allow, widened to include the parents' genes. Choices are exchanged with probability 1/2.
 template <HasGenes P, class Cross>
 void cross_genes(const P& problem, typename P::Genome& a, typename P::Genome& b, Stream& stream, Cross cross) {
     const auto& of_first = variables_of(problem, a);
@@ -166,8 +164,7 @@ struct OnePoint : Points {
     static void describe(auto&, auto) {}
 };
 
-/// Exchanges the genes at each position with probability 1/2 (Syswerda 1989), up to the length of the shorter
-/// genome.
+/// Exchanges the genes at each position with probability 1/2 (Syswerda 1989), up to the length of the shorter genome.
 struct Uniform : NoParameters {
     static constexpr const char* needs = Points::needs;
     static Words words() { return {"uniform", "cross-over", "exchanges each position with probability 1/2"}; }

@@ -3,7 +3,6 @@
 #include <boost/random/sobol.hpp>
 
 namespace ga {
-
 namespace {
 
 /// A 64-bit word as a number in [0, 1).

@@ -7,7 +7,6 @@
 #include <numbers>
 
 namespace app {
-
 namespace {
 
 using nlohmann::json;

@@ -10,7 +10,6 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Check, name, similarity, decides)
 } // namespace rough
 
 namespace app {
-
 namespace {
 
 using nlohmann::json;

@@ -118,8 +118,7 @@ std::string pipeline_from(const Settings& settings, const std::map<std::string, 
 std::vector<rough::Target> targets_from(const Settings& settings, const rough::Model& model);
 /// Whether the verdict is about the search grid: that of a changed profile, whose target was measured on it.
 bool is_judged_on_grid(const DesignRun& run);
-/// The set-up in which the tolerance of a run's answer is found: the similarity without errors is that of the
-/// verdict.
+/// The set-up in which the tolerance of a run's answer is found: the similarity without errors is that of the verdict.
 rough::DesignSetup toleranced(const DesignRun& run);
 /// The options of the tolerance, which costs about as much as the search unless --draws is given.
 rough::ToleranceOptions priced_tolerance(const DesignRun& run);

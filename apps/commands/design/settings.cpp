@@ -8,7 +8,6 @@
 #include <numbers>
 
 namespace app {
-
 namespace {
 
 /// The parameters that the set-up of a design holds.

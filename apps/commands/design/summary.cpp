@@ -1,7 +1,6 @@
 #include "apps/commands/design/run.hpp"
 
 namespace app {
-
 namespace {
 
 using rough::line_of;

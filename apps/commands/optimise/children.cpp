@@ -17,7 +17,6 @@
 #include <unistd.h>
 
 namespace app {
-
 namespace {
 
 constexpr std::size_t longest_line = 16'000'000, max_objectives = 1000;

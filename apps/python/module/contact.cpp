@@ -5,7 +5,6 @@
 #include "ga/base/parallel.hpp"
 
 namespace rugosa::python {
-
 namespace {
 
 /// The response of a surface under the model, with the requested derivatives. They are with respect to the

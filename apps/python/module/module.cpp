@@ -4,7 +4,6 @@
 #include <csignal>
 
 namespace rugosa::python {
-
 namespace {
 
 const std::thread::id main_thread = std::this_thread::get_id(); ///< handles Python's signals

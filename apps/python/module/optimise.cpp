@@ -2,7 +2,6 @@
 #include "ga/pipeline/ask_tell.hpp"
 
 namespace rugosa::python {
-
 namespace {
 
 /// The type of a gene in NumPy.

@@ -54,8 +54,7 @@ class Keywords {
     }
     /// The numbers of a list or an array of one dimension, or nothing as by take(). Throws InputError.
     std::optional<Eigen::VectorXd> take_numbers(const std::string& name);
-    /// The keywords with the names of these settings ('_' for '-') except some, read as the program reads its
-    /// flags.
+    /// The keywords with the names of these settings ('_' for '-') except some, read as the program reads its flags.
     app::Settings settings(const std::vector<app::Setting>& known, const std::vector<std::string>& except = {});
     /// The keywords as by `settings` of a call that takes no others.
     app::Settings only(const std::vector<app::Setting>& known) {

@@ -7,7 +7,6 @@
 #include <cmath>
 
 namespace rough {
-
 namespace {
 
 /// Factor by which the residual falls before the contact set is examined again.
@@ -15,8 +14,7 @@ constexpr double loosening = 0.05, area_loosening = 0.1;
 /// Accuracy of displacements over the approach while the residual is far above it.
 constexpr double rough_accuracy = 1e-5;
 constexpr int max_rounds = 200;
-/// An area's contact set swings if this many rounds in a row leave more than this share of the lowest
-/// residual.
+/// An area's contact set swings if this many rounds in a row leave more than this share of the lowest residual.
 constexpr int max_swings = 2;
 constexpr double share_left = 0.9;
 /// Pressures whose relative sum errs by less are not scaled to it.
@@ -293,9 +291,8 @@ class ActiveSet {
     bool stale_ = true;         ///< the displacement off the contact set
 };
 
-/// Interpolates squares of pressures along a coarse line, zero off contact, to the nodes of a fine one. One
-/// value beyond each edge of contact is extrapolated and may be negative. Values are `step` apart, from the
-/// first on.
+/// Interpolates squares of pressures along a coarse line, zero off contact, to the nodes of a fine one. One value
+/// beyond each edge of contact is extrapolated and may be negative. Values are `step` apart, from the first on.
 void refine_line(const double* squares, Index coarse, Index coarse_step, Index stride, double* fine, Index nodes,
                  Index step) {
     const auto square = [&](Index k) { return squares[k * coarse_step]; };

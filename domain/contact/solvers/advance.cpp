@@ -1,7 +1,6 @@
 #include "domain/contact/solvers/advance.hpp"
 
 namespace rough {
-
 namespace {
 
 /// A new summit touches at the nodes that penetrate by more than this share of its greatest depth.

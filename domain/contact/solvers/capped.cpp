@@ -5,7 +5,6 @@
 #include <cmath>
 
 namespace rough {
-
 namespace {
 
 /// Residual of the gaps, over the approach, at which a step is solved.
@@ -110,9 +109,8 @@ class BoundedPressures {
         return false;
     }
 
-    /// Raises all pressures of a periodic body by one value until a node reaches its upper bound. It does so
-    /// if the approach is beyond that of full contact. Equal pressures displace nothing, so this lowers the
-    /// energy.
+    /// Raises all pressures of a periodic body by one value until a node reaches its upper bound. It does so if the
+    /// approach is beyond that of full contact. Equal pressures displace nothing, so this lowers the energy.
     void raise(double negligible) {
         if (!problem_.is_singular() || goal_.mean() <= negligible) return;
         Index highest = 0;

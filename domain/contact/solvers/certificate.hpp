@@ -16,11 +16,10 @@ struct Certificate {
     double residual() const { return std::max({gap, penetration, tension, excess}); }
 };
 
-/// Largest residual of a factor's solution, over the approach: 1e-9, or the bound of rounding if that is
-/// larger, as it is near full contact. Cholesky's |H x - b| <= (3 m + 1) 2^-53 |L||L'||x| (Higham 2002,
-/// theorem 10.4), and |L||L'| <= h_0 entry by entry. p = L^-T (Delta z - v) with z'z = sum H_AA^-1 1 =
-/// `stiffness`, which diverges as the last nodes touch. The two terms then nearly cancel, and each brings
-/// sqrt(h_0) |z| Delta.
+/// Largest residual of a factor's solution, over the approach: 1e-9, or the bound of rounding if that is larger, as it
+/// is near full contact. Cholesky's |H x - b| <= (3 m + 1) 2^-53 |L||L'||x| (Higham 2002, theorem 10.4), and |L||L'| <=
+/// h_0 entry by entry. p = L^-T (Delta z - v) with z'z = sum H_AA^-1 1 = `stiffness`, which diverges as the last nodes
+/// touch. The two terms then nearly cancel, and each brings sqrt(h_0) |z| Delta.
 double direct_tolerance(const ContactProblem& problem, const StepSolution& step);
 
 /// `displacement` is u = H p at every node, by a method different from the one that found p.

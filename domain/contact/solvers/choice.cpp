@@ -3,7 +3,6 @@
 #include "domain/errors.hpp"
 
 namespace rough {
-
 namespace {
 
 // Nanoseconds on the machine that they were fitted on, by benchmark_choice; only their ratios matter. It

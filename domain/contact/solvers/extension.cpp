@@ -3,12 +3,10 @@
 #include <cmath>
 
 namespace rough {
-
 namespace {
 
-/// The sum of four squares' weights that fills the next wider square. A field of 1 on a spot falls off
-/// outside like its potential. The spot's size measures the potential (2), its area would give a steeper fall
-/// (4).
+/// The sum of four squares' weights that fills the next wider square. A field of 1 on a spot falls off outside like its
+/// potential. The spot's size measures the potential (2), its area would give a steeper fall (4).
 const float filling = std::exp2(1.4F);
 /// A full square's weight.
 constexpr float firmness = 0.7F;
@@ -31,8 +29,7 @@ void each_child(Team& team, Extent shape, Visit visit) {
         2 * rows_together);
 }
 
-/// The second nearest coarse row of row j of the fine grid. `rows` is the number of coarse rows, which are
-/// periodic.
+/// The second nearest coarse row of row j of the fine grid. `rows` is the number of coarse rows, which are periodic.
 Index beside(Index j, Index rows) { return (j / 2 + (j % 2 ? 1 : rows - 1)) % rows; }
 
 constexpr float nearer = 0.75F, farther = 0.25F; // weights of the nearer and the farther of two squares

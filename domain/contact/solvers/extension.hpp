@@ -4,12 +4,11 @@
 
 namespace rough {
 
-/// E, which continues a field known at some nodes of a grid to all of them, and its transpose. The inverse of
-/// C^-1 restricted to those nodes is the lowest energy of C over all continuations (Schur's complement). E'CE
-/// is never below it, and near it if E is good. E blends means over wider and wider squares. The weight of a
-/// mean depends on the number of nodes in its square. Sources: Haase, Langer, Meyer & Nepomnyaschikh 1994
-/// (hierarchical extensions), Gortler et al. 1996 (the pyramid). The grid is taken to be periodic. E maps 1
-/// to 1.
+/// E, which continues a field known at some nodes of a grid to all of them, and its transpose. The inverse of C^-1
+/// restricted to those nodes is the lowest energy of C over all continuations (Schur's complement). E'CE is never below
+/// it, and near it if E is good. E blends means over wider and wider squares. The weight of a mean depends on the
+/// number of nodes in its square. Sources: Haase, Langer, Meyer & Nepomnyaschikh 1994 (hierarchical extensions),
+/// Gortler et al. 1996 (the pyramid). The grid is taken to be periodic. E maps 1 to 1.
 class Extension {
   public:
     /// No node is known. The team shares its loops and must outlive it.
@@ -19,8 +18,7 @@ class Extension {
     const std::vector<int>& known() const { return nodes_; } ///< the known nodes
     /// E: `field` has values at the known nodes and gets them elsewhere.
     void extend(float* field);
-    /// E': carries the values at all other nodes over to the known ones. The other nodes then hold no useful
-    /// value.
+    /// E': carries the values at all other nodes over to the known ones. The other nodes then hold no useful value.
     void transpose(float* field);
 
   private:

@@ -1,7 +1,6 @@
 #include "domain/contact/solvers/growing_factor.hpp"
 
 namespace rough {
-
 namespace {
 
 constexpr Index width = panel_width;

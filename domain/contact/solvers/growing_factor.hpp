@@ -4,10 +4,9 @@
 
 namespace rough {
 
-/// Cholesky factor L of H_AA on a contact set A that is appended to and cut at its tail, never rebuilt. It
-/// also has z = L^-1 1 and v = L^-1 g0_A. Then H_AA p = Delta - g0_A is solved by p = L^-T (Delta z - v), and
-/// sum H_AA^-1 1 = z.z. L is stored as panels of eight rows, columns first, so that eight rows are eliminated
-/// together.
+/// Cholesky factor L of H_AA on a contact set A that is appended to and cut at its tail, never rebuilt. It also has z =
+/// L^-1 1 and v = L^-1 g0_A. Then H_AA p = Delta - g0_A is solved by p = L^-T (Delta z - v), and sum H_AA^-1 1 = z.z. L
+/// is stored as panels of eight rows, columns first, so that eight rows are eliminated together.
 class GrowingFactor {
   public:
     /// An empty contact set. `gap` is g0 at every node (N entries, in a ContactProblem's units); both must
@@ -19,8 +18,7 @@ class GrowingFactor {
 
     /// Appends nodes; stops before the first whose pivot is not positive. Returns how many were appended.
     Index append(const std::vector<int>& nodes);
-    /// Removes the nodes at these positions (increasing). The rows below the first keep their columns left of
-    /// it.
+    /// Removes the nodes at these positions (increasing). The rows below the first keep their columns left of it.
     void remove(const std::vector<Index>& positions);
 
     /// p = L^-T (approach z - v), size() entries

@@ -67,9 +67,8 @@ class DirectOperator {
         return displacement_.data();
     }
 
-    /// Whether direct sums over `loaded` nodes cost less than a Fourier operator's two transforms of M = 2 N
-    /// numbers. The rule is fixed: each of the M log2 M operations of a transform costs as much as four
-    /// multiplications.
+    /// Whether direct sums over `loaded` nodes cost less than a Fourier operator's two transforms of M = 2 N numbers.
+    /// The rule is fixed: each of the M log2 M operations of a transform costs as much as four multiplications.
     bool pays(std::size_t loaded) const {
         return static_cast<double>(loaded) <= 4 * 2 * std::log2(2 * static_cast<double>(influence_.shape().nodes()));
     }

@@ -5,7 +5,6 @@
 #include "domain/errors.hpp"
 
 namespace rough {
-
 namespace {
 
 constexpr int max_sweeps = 200;
@@ -52,8 +51,7 @@ class NestedContact {
         return fourier_->apply(factor_.nodes(), pressure_);
     }
 
-    /// Finds the pressures of the nodes in contact; under load control first the approach at which they carry
-    /// the load.
+    /// Finds the pressures of the nodes in contact; under load control first the approach at which they carry the load.
     void find_pressures(double& approach, std::optional<double> load) {
         if (load) approach = factor_.approach_at(*load);
         factor_.pressures(approach, pressure_);
@@ -78,8 +76,7 @@ class NestedContact {
     bool add_penetrating(double approach, const double* u, bool by_load) {
         depth_ = approach - (problem_.gap + Eigen::Map<const Eigen::VectorXd>(u, problem_.nodes())).array();
         std::vector<int> added = advancing_nodes(depth_, touching_, problem_.shape, gap_rounding * approach);
-        // Only the most certain ones, because most of the other nodes would be removed again far from the
-        // solution.
+        // Only the most certain ones, because most of the other nodes would be removed again far from the solution.
         added.resize(std::min(added.size(), std::max(min_batch, factor_.nodes().size() / 2)));
         refuse_factor(factor_.size() + static_cast<Index>(added.size()), options_);
         Index appended = factor_.append(added);

@@ -4,7 +4,6 @@
 #include "domain/errors.hpp"
 
 namespace rough {
-
 namespace {
 
 using Eigen::VectorXd;
@@ -44,8 +43,7 @@ class LawsonHanson {
     long iterations() const { return iterations_; }
 
   private:
-    /// Moves from the feasible pressures towards those of the passive set, and drops the nodes that reach
-    /// zero before.
+    /// Moves from the feasible pressures towards those of the passive set, and drops the nodes that reach zero before.
     void reach_solution(double approach) {
         VectorXd goal;
         while (factor_.size() > 0) {

@@ -3,7 +3,6 @@
 #include "domain/contact/solvers/solvers.hpp"
 
 namespace rough {
-
 namespace {
 
 using Eigen::ArrayXd;

@@ -5,7 +5,6 @@
 #include <cmath>
 
 namespace rough {
-
 namespace {
 
 /// Loops over fewer nodes are over before another thread has begun.

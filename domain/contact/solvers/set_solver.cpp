@@ -5,7 +5,6 @@
 #include <cmath>
 
 namespace rough {
-
 namespace {
 
 /// Largest error of a product in single precision over its largest entry: twice the largest seen, on 512 to
@@ -54,11 +53,10 @@ Eigen::VectorXd cumulative(const Eigen::VectorXd& column) {
     return sums;
 }
 
-/// Deflates the mean pressure of each run of neighbouring contact nodes, through which distant runs influence
-/// each other and which a circulant preconditioner cannot see. Deflated conjugate gradients (Saad, Yeung,
-/// Erhel & Guyomarc'h 2000) keep their residual free of it, which halves the iterations. The columns of W are
-/// indicators of runs, so HW needs only sums of H's first column. Each run has a column; above 64 runs,
-/// neighbouring runs share one.
+/// Deflates the mean pressure of each run of neighbouring contact nodes, through which distant runs influence each
+/// other and which a circulant preconditioner cannot see. Deflated conjugate gradients (Saad, Yeung, Erhel & Guyomarc'h
+/// 2000) keep their residual free of it, which halves the iterations. The columns of W are indicators of runs, so HW
+/// needs only sums of H's first column. Each run has a column; above 64 runs, neighbouring runs share one.
 class Deflation {
   public:
     /// `nodes` sorted; `sums` from cumulative(), or empty for no deflation.

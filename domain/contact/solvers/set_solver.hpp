@@ -71,12 +71,11 @@ class SetSolver {
     /// displacements are then up to date at every node. On a line they are so on A, or not changed if
     /// x.updated is kept. Returns false if `limit` iterations are not enough or rounding stops it.
     ///
-    /// With a `level`, on a map only, the sum of x is kept. b is met up to a constant, which is written to
-    /// `level`: b - level = H x. The gradients sum to zero (Gould, Hribar & Nocedal 2001). If `projected`, no
-    /// pressure then falls below zero: the improvement ends with a step that would take one there. This step
-    /// has the usual length and is projected, so that those pressures become 0 (projected Newton's method,
-    /// Bertsekas 1982). One product serves the step and the nodes that leave contact. Afterwards the sum has
-    /// to be restored.
+    /// With a `level`, on a map only, the sum of x is kept. b is met up to a constant, which is written to `level`: b -
+    /// level = H x. The gradients sum to zero (Gould, Hribar & Nocedal 2001). If `projected`, no pressure then falls
+    /// below zero: the improvement ends with a step that would take one there. This step has the usual length and is
+    /// projected, so that those pressures become 0 (projected Newton's method, Bertsekas 1982). One product serves the
+    /// step and the nodes that leave contact. Afterwards the sum has to be restored.
     bool improve(const ContactSet& set, const std::function<double(Index)>& target, SurfaceState& x,
                  const Enough& enough, long limit, double* level = nullptr, bool projected = true);
     /// Solves H_AA w = 1 from any w: as well as `stiffness` needs it to have `tolerance`, or each of its

@@ -12,16 +12,14 @@ inline constexpr double gap_rounding = 1e-13;
 // Each solver adds its load steps to `solution`. The solved ones stay there if it throws NotConverged. The
 // certificate applies H by another method than the solver.
 
-/// Direct: contact sets are nested (w > 0), so one bordered Cholesky factor grows through all load steps.
-/// Each step is one sweep of additions and some of removals. A load's approach follows from the factor.
-/// Throws InputError if the factor would take more than the options' memory, NotConverged beyond the work
-/// limit.
+/// Direct: contact sets are nested (w > 0), so one bordered Cholesky factor grows through all load steps. Each step is
+/// one sweep of additions and some of removals. A load's approach follows from the factor. Throws InputError if the
+/// factor would take more than the options' memory, NotConverged beyond the work limit.
 void solve_nested(const ContactProblem& problem, const ContactOptions& options, Solution& solution);
 
-/// Direct: non-negative least squares, min p'Hp/2 - p'(Delta - g0), p >= 0, by the active set of Lawson &
-/// Hanson (1974, chapter 23). Its factor is updated, never rebuilt, and each load step starts from the one
-/// before (Bemporad & Paggi 2015). The gradient is summed directly, so that the certificate can use the FFT.
-/// At most 3 N iterations per step.
+/// Direct: non-negative least squares, min p'Hp/2 - p'(Delta - g0), p >= 0, by the active set of Lawson & Hanson (1974,
+/// chapter 23). Its factor is updated, never rebuilt, and each load step starts from the one before (Bemporad & Paggi
+/// 2015). The gradient is summed directly, so that the certificate can use the FFT. At most 3 N iterations per step.
 void solve_nnls(const ContactProblem& problem, const ContactOptions& options, Solution& solution);
 
 /// Iterative: constrained conjugate gradients (Polonsky & Keer 1999, Wear 231, 206-219), H applied by FFT.
@@ -36,12 +34,11 @@ void solve_polonsky_keer(const ContactProblem& problem, const ContactOptions& op
 /// or if rounding allows no better. If the set does not converge at an approach, solve_capped() continues.
 void solve_active_set(const ContactProblem& problem, const ContactOptions& options, Solution& solution);
 
-/// Contact with 0 <= p <= p_H, which may be infinite. Bertsekas' projected Newton method (1982) minimises
-/// p'Hp/2 - p'(Delta - g0) within the box. Each round solves H on the free nodes, which are between the
-/// bounds or pulled away from one, by preconditioned conjugate gradients. It projects a step towards that
-/// solution onto the box and halves it until the energy falls enough. It descends from any start and ends if
-/// no node is on the wrong bound. It assumes nothing about contact sets. Solved until gaps are 1e-11 of the
-/// approach.
+/// Contact with 0 <= p <= p_H, which may be infinite. Bertsekas' projected Newton method (1982) minimises p'Hp/2 -
+/// p'(Delta - g0) within the box. Each round solves H on the free nodes, which are between the bounds or pulled away
+/// from one, by preconditioned conjugate gradients. It projects a step towards that solution onto the box and halves it
+/// until the energy falls enough. It descends from any start and ends if no node is on the wrong bound. It assumes
+/// nothing about contact sets. Solved until gaps are 1e-11 of the approach.
 void solve_capped(const ContactProblem& problem, const ContactOptions& options, Solution& solution);
 
 /// Partial slip by the same method: tractions |q| <= `limit` (N entries) minimise q'Tq/2 - q'd at each

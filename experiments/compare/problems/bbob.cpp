@@ -5,7 +5,6 @@
 #include <numbers>
 
 namespace app {
-
 namespace {
 
 using Array = Eigen::ArrayXd;

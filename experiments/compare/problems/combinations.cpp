@@ -3,7 +3,6 @@
 #include <numbers>
 
 namespace app {
-
 namespace {
 
 double distance(const Town& a, const Town& b) { return std::hypot(a[0] - b[0], a[1] - b[1]); }

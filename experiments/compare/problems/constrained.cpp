@@ -6,7 +6,6 @@
 #include <muParser.h>
 
 namespace app {
-
 namespace {
 
 constexpr double max_equality = 1e-4; // of an equality, as in the report

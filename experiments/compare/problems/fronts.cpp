@@ -7,7 +7,6 @@
 #include <numeric>
 
 namespace app {
-
 namespace {
 
 using std::numbers::pi;

@@ -9,7 +9,6 @@
 #include <numbers>
 
 namespace rough {
-
 namespace {
 
 using Real = long double;
