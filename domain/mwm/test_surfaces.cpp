@@ -13,27 +13,7 @@ constexpr double full_turn = 2 * std::numbers::pi;
 
 constexpr double golden_angle = 2.399963; // its multiples fill the turn evenly and never repeat
 
-double drawn(const Uniform& uniform, double from, double to) { return from < to ? uniform(from, to) : from; }
-
 } // namespace
-
-Genome random_genome(const Uniform& uniform, int series, std::size_t ridges, double length, double shortest,
-                     const SeriesRanges& ranges) {
-    Genome genome;
-    for (int s = 0; s < series; ++s) {
-        Series one{drawn(uniform, ranges.A_from, ranges.A_to),
-                   drawn(uniform, ranges.H_from, ranges.H_to),
-                   uniform(1.4, 2),
-                   length,
-                   {}};
-        for (int n = 1; n <= last_chromosome(length, one.gamma, shortest); ++n) {
-            one.chromosomes.push_back({n, std::vector<double>(ridges)});
-            for (double& phase : one.chromosomes.back().phases) phase = uniform(0, full_turn);
-        }
-        genome.series.push_back(one);
-    }
-    return genome;
-}
 
 std::vector<Wave> self_affine_waves(double length, double amplitude, double hurst, double ratio, int count,
                                     bool periodic) {

@@ -8,22 +8,6 @@
 /// Surfaces for tests, benchmarks, and the experiments that compare solvers.
 namespace rough {
 
-/// A function that draws a number from [from, to), e.g. by ga::Stream::uniform.
-using Uniform = std::function<double(double from, double to)>;
-
-/// Ranges of a random series' amplitude and Hurst exponent; nothing is drawn if both ends are equal.
-struct SeriesRanges {
-    double A_from = 0.5; ///< lowest amplitude
-    double A_to = 2;     ///< highest amplitude
-    double H_from = 0.5; ///< lowest Hurst exponent
-    double H_to = 1.5;   ///< highest Hurst exponent
-};
-
-/// A random genome. Each series has every wavelength from `length` down to `shortest` (mm), with gamma from
-/// 1.4 to 2. Each chromosome has `ridges` phases from 0 to 2 pi.
-Genome random_genome(const Uniform& uniform, int series, std::size_t ridges, double length, double shortest,
-                     const SeriesRanges& ranges = {});
-
 /// Waves n = 0 to count-1 of a self-affine profile. Their amplitudes are `amplitude` ratio^(-n hurst) (mm),
 /// their wavelengths length/ratio^n (mm). In a `periodic` profile wavelengths are the next ones that divide
 /// the length. Phases are multiples of the golden angle.

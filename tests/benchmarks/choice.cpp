@@ -25,7 +25,7 @@ struct Measured {
 Profile random_profile(std::mt19937_64& random, Index nodes, double shortest, bool periodic) {
     const double length = 0.84942;
     const auto uniform = [&](double from, double to) { return testing::uniform(random, from, to); };
-    return sample(random_genome(uniform, 1, 1, length, shortest * length, {.A_from = 1, .A_to = 1}),
+    return sample(testing::random_genome(uniform, 1, 1, length, shortest * length, {.A_from = 1, .A_to = 1}),
                   {nodes, length, periodic});
 }
 

@@ -2,9 +2,9 @@
 // nodes and of load steps: medians over three genomes. domain/problem/prices.cpp has the table that was
 // measured.
 
-#include "domain/mwm/test_surfaces.hpp"
 #include "domain/numerics/statistics.hpp"
 #include "domain/problem/problem.hpp"
+#include "tests/domain/random_genome.hpp"
 
 #include <cstdio>
 #include <ctime>
@@ -41,9 +41,9 @@ void print_row(bool is_map, Index nodes, int steps) {
         const DesignSetup setup{.model = completed(model),
                                 .targets = {read_target(RUGOSA_SOURCE "/experiments/targets/drawn.csv")},
                                 .max_pressure = 1.6e-4};
-        const Genome surface = random_genome(
-            [&](double from, double to) { return std::uniform_real_distribution(from, to)(random); }, 2, is_map ? 8 : 1,
-            setup.model.grid.length, std::max(is_map ? 0.05 : 0.0133, 8 * setup.model.grid.spacing()));
+        const Genome surface =
+            rough::testing::random_genome(random, 2, is_map ? 8 : 1, setup.model.grid.length,
+                                          std::max(is_map ? 0.05 : 0.0133, 8 * setup.model.grid.spacing()));
         const DesignProblem problem(setup);
         curves.push_back(time_of([&] { problem.evaluate(surface); }));
         gradients.push_back(time_of([&] { problem.sensitivity(surface, "similarity"); }));
