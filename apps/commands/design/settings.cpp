@@ -90,7 +90,7 @@ std::vector<Setting> search_settings() {
         whole("points", "20", 2, 1e5, "number of points of the target from --like"),
         {"database", "", "genome database; the search begins from its curves nearest to the target"},
         {"variant", "",
-         "name of the pipeline to run (rugosa operators) [default, or maps for a map, in-line with "
+         "name of the pipeline to run (rugosa operators) [default, or maps for a map, in-line or maps-in-line with "
          "--database, like or maps-like for a scan's or map's contact area, made with --noise or --tilt]"},
         {"pipeline", "", "text of the pipeline to run, instead of a variant"},
         positive("hardness", "",
