@@ -22,14 +22,14 @@ struct Sample : Operator {
     template <Sampled P>
     PopulationOf<P> operator()(PopulationOf<P>, Context<P>& context) const {
         PopulationOf<P> fresh;
-        std::vector<Work> work(n);
+        std::vector<Work> work(1);
         for (std::size_t i = 0; i < n; ++i) {
             Stream stream = context.stream(i);
             fresh.push_back({sampled(context.problem(), stream, work[i]), context.new_identity(), {}, {}, {}});
-            if (i == 0) {
-                context.need_room(n, {}, &fresh.front().genome);
-                fresh.reserve(n);
-            }
+            if (i > 0) continue;
+            context.need_room(n, {}, &fresh.front().genome);
+            fresh.reserve(n);
+            work.resize(n);
         }
         context.charge(work);
         return fresh;

@@ -262,10 +262,11 @@ TEST_CASE("every algorithm of NLopt ends, inside the box, when evaluations fail 
         for (const int kind : {0, 1, 2, 3}) {
             const std::string name = nlopt_algorithm_to_string(static_cast<nlopt_algorithm>(i));
             CAPTURE(name, kind);
-            bool all_inside = true;
+            std::atomic<bool> all_inside = true; // evaluations run on several threads
             Reals problem = minimum(3, {}, -1, 2);
             problem.f = [&](const Vector& x) {
-                for (const double gene : x) all_inside &= gene >= -1 && gene <= 2;
+                for (const double gene : x)
+                    if (!(gene >= -1 && gene <= 2)) all_inside = false;
                 if (kind == 0 && x[0] > 0.9) throw std::domain_error("failed");
                 const double far = kind == 1 ? std::nan("") : 1e305;
                 return Vector{x[0] > 0.9 && kind < 3 ? far : std::pow(x[0] - 0.7, 2) + x[1] * x[1] + x[2] * x[2]};
