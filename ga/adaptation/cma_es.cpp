@@ -154,7 +154,7 @@ CmaPlan::Run CmaPlan::next(long spent, bool both, Stream& random) {
     if (now_large) last_large = spent;
     begun = true;
     now_large = !both || large <= small;
-    if (now_large) return {usual << std::min<std::size_t>((both ? 1 : 2) * ++restarts, 20), 1, 0};
+    if (now_large) return {usual << std::min<std::size_t>(++restarts, 20), 1, 0};
     const double ratio = 0.5 * std::pow(2, static_cast<double>(restarts)), u = random.uniform();
     const double children = static_cast<double>(usual) * std::pow(ratio, u * u);
     return {static_cast<std::size_t>(children), std::pow(10, -2 * random.uniform()), last_large / 2};

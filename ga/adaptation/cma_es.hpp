@@ -75,9 +75,8 @@ struct CmaRecord {
 const char* stop_criterion(const SearchDistribution& distribution, const CmaConstants& c, CmaRecord& record,
                            double scale);
 
-/// The sequence of runs. In IPOP each has four times the children of the previous one; Auger and Hansen
-/// (2005) double them. In BIPOP (Hansen 2009) the large runs double, and as many evaluations are spent on
-/// additional runs with few children and small steps.
+/// The sequence of runs. Each large run has twice the children of the previous one (IPOP, Auger and Hansen 2005). In
+/// BIPOP (Hansen 2009) as many evaluations are spent on additional runs with few children and small steps.
 struct CmaPlan {
     std::size_t usual = 0;    ///< number of children of the first run
     std::size_t restarts = 0; ///< number of large runs after the first
