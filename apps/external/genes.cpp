@@ -248,14 +248,16 @@ ga::Variants outside_variants(const Genes& genes, std::size_t objectives) {
         return " | mutate " + ga::number(share / static_cast<double>(genes.count)) + method;
     };
     const bool tours = genes.kind == Genes::Kind::permutation, bits = genes.kind == Genes::Kind::bits;
-    const std::string varied = tours  ? "cross edge rate=0.5" + mutate(0.5, " reverse") + mutate(0.5, " or_opt")
-                               : bits ? "cross uniform rate=0.9" + mutate(1, "")
-                                      : "cross sbx rate=0.9" + mutate(1, " polynomial");
+    const auto varied = [&](double share) {
+        return tours  ? "cross edge rate=0.5" + mutate(0.5, " reverse") + mutate(0.5, " or_opt")
+               : bits ? "cross uniform rate=0.9" + mutate(1, "")
+                      : "cross sbx rate=0.9" + mutate(share, " polynomial");
+    };
     const std::string pareto = "pareto " + boost::join(objective_names(objectives), " ");
     const std::string begin = "repeat 1000000000 { tournament 2";
     const std::string front =
-        "sample 100 | " + pareto + " | " + begin + " draw=each | " + varied + " | " + pareto + " | ";
-    ga::Variants variants{{"ga", "sample 40 | score | " + begin + " | " + varied + " | score | " +
+        "sample 100 | " + pareto + " | " + begin + " draw=each | " + varied(0.5) + " | " + pareto + " | ";
+    ga::Variants variants{{"ga", "sample 40 | score | " + begin + " | " + varied(1) + " | score | " +
                                      (tours ? "plus copies=none" : "elite 2") + " } | best 1"},
                           {"nsga2", front + "plus 100 } | front"},
                           {"nsga3", front + "parents | directions 100 } | front"},
