@@ -49,7 +49,7 @@ void History::open() {
         std::ifstream(file_, std::ios::binary).read(first.data(), std::ssize(first));
         if (found < bytes || first != header_)
             rough::refuse("--history: ", file_.string(),
-                          " is not the history of this search; restore it or start anew");
+                          " is not the history of this search; restore it or omit --resume");
     }
     out_.open(file_, std::ios::binary | (bytes > 0 ? std::ios::app : std::ios::trunc));
     if (bytes > 0) fs::resize_file(file_, bytes);

@@ -7,9 +7,9 @@
 
 namespace app {
 
-/// All evaluations of a search as a CSV file, which grows by whole rows: id (from 1, in the order of the requests),
-/// generation (from 1; a slash between those of nested blocks), level, genes x1, x2, ..., objectives f1, f2, ...,
-/// violation (the sum of the positive ones), and failure (why there are no objectives).
+/// All evaluations of a search as a CSV file, which grows by whole rows. The columns are id (from 1, in the order of
+/// the requests), generation (from 1; a slash between those of nested blocks) and level. Genes x1, x2, ... and
+/// objectives f1, f2, ... follow, then the sum of the positive violations, and the reason of a failure.
 class History {
   public:
     History() = default; ///< no file

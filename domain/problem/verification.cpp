@@ -50,8 +50,8 @@ std::vector<double> shares_at(const DesignSetup& setup, const Loading& loading, 
 }
 
 /// How far a curve may lie below (column 0, at most 0) and above (column 1) its value at each point of a target,
-/// relative to the target, within the load step there: as far as the tangents at its ends, or by half the change of
-/// contact area.
+/// relative to the target. Stiffness may be that of either tangent in the load step there. Contact area may differ by
+/// half its change.
 Eigen::MatrixX2d range_in_step(const Target& target, const Response& response, const Curve& curve) {
     const auto& P = response.pressure;
     const auto& at = target.against_pressure() ? P : response.displacement;
@@ -234,7 +234,7 @@ void Verifier::verify(const Genome& genome, Verification& result) const {
         return all;
     };
     const std::vector<Eigen::VectorXd> on_grid = relative_values(finer(), responses(1, 0, result.on_grid));
-    std::vector<Eigen::VectorXd> between = on_grid; // half way to the finest grid
+    std::vector<Eigen::VectorXd> between = on_grid; // on the grid between
     if (by_.nodes > 2)
         between = relative_values(
             finer(), design_response(finer(), responses_on(refined(setup_.model, by_.nodes / 2), genome).all));
