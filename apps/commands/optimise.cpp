@@ -22,7 +22,7 @@ struct SearchByChildren : OutsideSearch {
     bool resume = false;     ///< continue from the checkpoint
     nlohmann::json inputs;   ///< see Origin
     std::string description; ///< all that decides the result besides pipeline and seed
-    History history;         ///< of all evaluations
+    History history;         ///< has all evaluations
 };
 
 template <class P>

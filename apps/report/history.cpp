@@ -44,7 +44,7 @@ void History::open() {
     std::error_code none;
     const std::uint64_t bytes = written[1], found = fs::exists(file_, none) ? fs::file_size(file_) : 0;
     if (bytes == 0) added_.insert(added_.begin(), before_.begin(), before_.end());
-    if (resumed_ && found > 0) {
+    if (resumed_ && (found > 0 || bytes > 0)) {
         std::string first(header_.size(), ' ');
         std::ifstream(file_, std::ios::binary).read(first.data(), std::ssize(first));
         if (found < bytes || first != header_)

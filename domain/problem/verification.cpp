@@ -117,8 +117,9 @@ Eigen::VectorXd error_left(const Eigen::VectorXd& coarse, const Eigen::VectorXd&
     constexpr double lowest = 1. / 4, highest = 2. / 3; // order 2; rough surfaces may not have reached order 1
     const Eigen::VectorXd last = with_neighbours((between - finest).cwiseAbs()),
                           before = with_neighbours((coarse - between).cwiseAbs());
+    const bool is_measured = coarse != between;
     return last.binaryExpr(before, [&](double d, double earlier) {
-        const double q = coarse == between ? 1. / 2 : std::clamp(d / std::max(earlier, 1e-300), lowest, highest);
+        const double q = is_measured ? std::clamp(d / std::max(earlier, 1e-300), lowest, highest) : 1. / 2;
         return d * q / (1 - q);
     });
 }

@@ -200,6 +200,9 @@ TEST_CASE("a history has every evaluation once, on any number of children and af
     desk.write("again.csv", "mine\n");
     CHECK(desk.optimise(words + "--evaluations 900 --resume --history again.csv --out again").code == 2);
     CHECK(rough::read_whole(desk / "again.csv") == "mine\n");
+    std::filesystem::remove(desk / "again.csv");
+    CHECK(desk.optimise(words + "--evaluations 900 --resume --history again.csv --out again").code == 2);
+    CHECK(!std::filesystem::exists(desk / "again.csv"));
 }
 
 TEST_CASE("a failed evaluation of any kind is a failure of its genome, and the run continues") {
