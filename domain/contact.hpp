@@ -8,6 +8,7 @@
 #include "domain/contact/kernel.hpp"
 #include "domain/contact/materials.hpp"
 #include "domain/errors.hpp"
+#include "domain/profile/outliers.hpp"
 #include "domain/profile/preparation.hpp"
 #include "domain/profile/roughness.hpp"
 #include "domain/profile/solid.hpp"

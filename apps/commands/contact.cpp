@@ -86,7 +86,6 @@ rough::Model with_load(const rough::Model& unloaded, const Settings& settings) {
 struct ContactResult : Scene {
     rough::ReportedResponse result = {};
     bool is_measured = false;               ///< a scan or map, not a genome
-    std::vector<Index> outliers = {};       ///< nodes of a scan that stand out and were kept
     rough::ResolutionBand band = {};        ///< for a scan or map
     std::string unresolved = {};            ///< warning of a scan or map; "": every contact is resolved
     std::vector<std::string> warnings = {}; ///< reasons not to believe the curve

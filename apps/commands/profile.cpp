@@ -180,8 +180,8 @@ void add_requested(SurfaceReport& all, rough::Profile map, const Settings& setti
 
 SurfaceReport described_map(const Settings& settings) {
     const bool periodic = settings.is_on("periodic"), measured = settings.has("surface");
-    rough::Map read = measured ? surface_from(settings, "surface", true) : sampled_from(settings, periodic);
-    const auto map = std::make_shared<const rough::Profile>(std::move(read.heights)),
+    rough::Scan read = measured ? surface_from(settings, "surface", true) : sampled_from(settings, periodic);
+    const auto map = std::make_shared<const rough::Profile>(std::move(read.measured)),
                holed = with_holes(map, read.missing, settings);
     const rough::ArealParameters areal = areal_parameters(*map, periodic);
     const auto [nodes, rows] = map->shape();

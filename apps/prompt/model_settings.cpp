@@ -97,7 +97,8 @@ Bindings bindings_of(rough::ScanOptions& options) {
          options.row},
         {Setting("detrend", "line", "form that is removed from a scan's heights").of(rough::detrend_names()),
          options.detrend},
-        {Setting("outliers", "keep", "whether a scan's outliers are kept, or removed by interpolation")
+        {Setting("outliers", "keep",
+                 "whether outliers of a scan or map are kept, or replaced as missing points are filled")
              .of({"keep", "remove"}),
          options.remove_outliers},
         {positive("lambda-s", "", "cut-off of the filter that removes shorter wavelengths (ISO 16610-21), mm [none]"),
@@ -191,7 +192,7 @@ Source open_genome(const std::filesystem::path& file) {
 }
 
 rough::Grid Source::grid(bool periodic) const {
-    return genome ? rough::Grid{.length = length, .periodic = periodic} : Scan::grid(periodic);
+    return genome ? rough::Grid{.length = length, .periodic = periodic} : grid_of(measured, periodic);
 }
 
 rough::Profile Source::on(const rough::Grid& grid) const { return genome ? sample(*genome, grid) : Scan::on(grid); }
@@ -331,9 +332,8 @@ std::vector<Setting> surface_settings() {
             map_setting()};
 }
 
-rough::Map surface_from(const Settings& settings, const std::string& flag, bool keep_missing) {
-    expect_none(settings, {"nodes", "length", "row", "outliers"},
-                "given with --" + flag + "; omit it, as it is for profiles only");
+rough::Scan surface_from(const Settings& settings, const std::string& flag, bool keep_missing) {
+    expect_none(settings, {"nodes", "length", "row"}, "given with --" + flag + "; omit it, as it is for profiles only");
     const rough::ScanOptions options = scan_options(settings, "", keep_missing);
     return placing(settings, "", [&] { return rough::read_map(settings.text(flag), options); });
 }
@@ -347,18 +347,8 @@ bool asks_for_map(const Settings& settings, const std::string& prefix) {
 }
 
 rough::Model model_of(const rough::Profile& surface, const Settings& settings) {
-    const bool periodic = is_periodic(settings);
-    const auto length = [&](double spacing, rough::Index n) {
-        return spacing * static_cast<double>(periodic || surface.is_2d() ? n : n - 1);
-    };
-    const auto [columns, rows] = surface.shape();
-    rough::Grid grid{columns, length(surface.spacing, columns)};
-    if (surface.is_2d()) {
-        expect_for_map(settings, "", {"datum", "strip-width"});
-        grid.rows = rows;
-        grid.width = length(surface.row_spacing, rows);
-    }
-    return model_from(settings, "", grid);
+    if (surface.is_2d()) expect_for_map(settings, "", {"datum", "strip-width"});
+    return model_from(settings, "", grid_of(surface, is_periodic(settings)));
 }
 
 rough::Model surface_model_from(const Settings& settings, const std::string& prefix) {
@@ -367,11 +357,11 @@ rough::Model surface_model_from(const Settings& settings, const std::string& pre
     return map_model_on({}, settings, prefix);
 }
 
-rough::Map sampled_from(const Settings& settings, bool periodic) {
+rough::Scan sampled_from(const Settings& settings, bool periodic) {
     const Source source = source_from(settings, "surface");
     const rough::Grid grid = map_grid(source.grid(periodic), settings);
     const std::string note = fit_note(*source.genome, grid);
-    return {sample(*source.genome, grid),
+    return {source.name, sample(*source.genome, grid),
             source.name + ": " + std::to_string(grid.nodes) + " x " + std::to_string(grid.rows) + " nodes on " +
                 readable(grid.length, 6) + " x " + readable(grid.width, 6) + " mm" + (note.empty() ? "" : "; " + note)};
 }
@@ -380,11 +370,12 @@ Scene map_from(const Settings& settings, const std::string& map) {
     expect_for_map(settings, "", {"profile", "friction", "datum", "strip-width"});
     Scene scene;
     if (settings.knows(map) && settings.has(map)) {
-        rough::Map read = surface_from(settings, map);
-        scene.surface = std::move(read.heights);
+        rough::Scan read = surface_from(settings, map);
+        scene.surface = std::move(read.measured);
         scene.model = model_of(scene.surface, settings);
         const rough::Grid& grid = scene.model.grid;
         scene.missing = std::move(read.missing.nodes);
+        scene.outliers = std::move(read.outliers);
         scene.notes.push_back(read.account + "; " + readable(grid.length) + " x " + readable(grid.width) + " mm");
     } else {
         const Source source = source_from(settings, "surface");
@@ -402,7 +393,11 @@ Scene scene_from(const Settings& settings, const std::string& flag, bool is_map)
         scene = map_from(settings, flag);
     } else {
         Source source = source_from(settings, flag);
-        scene = {{}, model_from(settings, source), std::move(source.missing.nodes), {source.account}};
+        scene = {{},
+                 model_from(settings, source),
+                 std::move(source.missing.nodes),
+                 std::move(source.outliers),
+                 {source.account}};
         scene.surface = source.on(scene.model.grid);
     }
     if (!scene.missing.empty()) scene.notes.push_back(fill_note(scene.surface, scene.missing, scene.model));

@@ -106,17 +106,18 @@ rough::Model surface_model_from(const Settings& settings, const std::string& pre
 
 /// The map of the flag, without its form (--detrend, by default its plane) and the wavelengths that
 /// --lambda-s and --lambda-c remove. Missing points as by scan_from().
-rough::Map surface_from(const Settings& settings, const std::string& flag = "surface", bool keep_missing = false);
+rough::Scan surface_from(const Settings& settings, const std::string& flag = "surface", bool keep_missing = false);
 
 /// The heights of --genome on the map of --nodes and --length, which is periodic or not.
-rough::Map sampled_from(const Settings& settings, bool periodic);
+rough::Scan sampled_from(const Settings& settings, bool periodic);
 
 /// A map or a profile, and the model under which it is pressed.
 struct Scene {
-    rough::Profile surface;                 ///< heights, mm
-    rough::Model model;                     ///< complete, with the map's grid
-    std::vector<rough::Index> missing = {}; ///< nodes whose heights were missing and are filled
-    std::vector<std::string> notes;         ///< how it was read or sampled, one line each; "": none
+    rough::Profile surface;                  ///< heights, mm
+    rough::Model model;                      ///< complete, with the map's grid
+    std::vector<rough::Index> missing = {};  ///< nodes whose heights were missing and are filled
+    std::vector<rough::Index> outliers = {}; ///< nodes that stand out and were kept
+    std::vector<std::string> notes;          ///< how it was read or sampled, one line each; "": none
 };
 /// The map of --genome or of the file that the flag names. Throws rough::InputError on settings of a profile.
 Scene map_from(const Settings& settings, const std::string& map);

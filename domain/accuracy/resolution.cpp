@@ -211,10 +211,9 @@ ElasticEnd elastic_end(const Profile& surface, const Model& model, const Respons
     return {beyond, largest};
 }
 
-OutlierCost outlier_cost(const Profile& scan, const std::vector<Index>& outliers, const Model& model,
+OutlierCost outlier_cost(const Profile& surface, const std::vector<Index>& outliers, const Model& model,
                          const Response& response) {
-    Profile clean = scan;
-    clean.heights = interpolated(scan.heights, outliers);
+    const Profile clean = without(surface, outliers);
     // A periodic body may be in full contact with the clean surface before the last of these pressures.
     for (Index rows = response.steps(); rows > 0; rows /= 2) try {
             Model at = model;

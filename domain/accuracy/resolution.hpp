@@ -76,9 +76,9 @@ struct OutlierCost {
     /// Whether one of the two factors is above 1.1.
     bool matters() const { return contact_fraction > 1.1 || stiffness > 1.1; }
 };
-/// The effect of outliers of a scan that gave this response. Interpolates the heights at these nodes and solves the
+/// The effect of outliers of a scan or map that gave this response. Replaces the heights at these nodes and solves the
 /// contact at the same mean pressures, as far as they can be reached. Throws NotConverged as respond().
-OutlierCost outlier_cost(const Profile& scan, const std::vector<Index>& outliers, const Model& model,
+OutlierCost outlier_cost(const Profile& surface, const std::vector<Index>& outliers, const Model& model,
                          const Response& response);
 
 /// The effect of filled points on the contact, in words. Example: "filled points: at 5 MPa the contact

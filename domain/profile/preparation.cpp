@@ -9,7 +9,6 @@
 
 #include <cmath>
 #include <numeric>
-#include <tuple>
 
 namespace rough {
 namespace {
@@ -161,124 +160,6 @@ Eigen::VectorXd low_passed(const Profile& profile, double cut_off) {
     return z.reshaped();
 }
 
-namespace {
-
-constexpr Index min_profile_nodes = 16, around = 12;
-constexpr std::size_t side = 7; ///< nodes that predict, on either side
-constexpr Index min_aside = 3;
-/// Median steps by which a particle stands out, and by which its flanks do.
-constexpr double particle_steps = 6, flank_steps = 3;
-
-template <class Iterator>
-double middle(Iterator first, Iterator end) {
-    const Iterator half = first + (end - first) / 2;
-    std::nth_element(first, half, end);
-    return *half;
-}
-
-/// A node's height as the nodes on one side predict it: their median, and their line of median slope.
-struct Predicted {
-    double median, line;
-};
-/// Predicts a node's height from its left (`step` -1) or right (1). The outermost `min_aside` nodes are
-/// tested otherwise, so that either side has nodes that predict.
-Predicted predicted(const Eigen::VectorXd& heights, Index node, Index step, const std::vector<bool>& is_outlier) {
-    std::array<double, side> z, line, distance;
-    std::array<double, side*(side - 1) / 2> slopes;
-    auto slope = slopes.begin();
-    std::size_t count = 0;
-    for (Index at = node + step; at >= 0 && at < heights.size() && count < side; at += step) {
-        if (is_outlier[static_cast<std::size_t>(at)]) continue;
-        z[count] = heights[at], distance[count] = static_cast<double>(std::abs(at - node));
-        for (std::size_t j = 0; j < count; ++j) *slope++ = (z[count] - z[j]) / (distance[count] - distance[j]);
-        ++count;
-    }
-    const double steepness = middle(slopes.begin(), slope);
-    for (std::size_t i = 0; i < count; ++i) line[i] = z[i] - steepness * distance[i];
-    const auto end = static_cast<std::ptrdiff_t>(count);
-    return {middle(z.begin(), z.begin() + end), middle(line.begin(), line.begin() + end)};
-}
-
-/// The median step between neighbours near this node.
-double usual_step(const Eigen::VectorXd& steps, Index node) {
-    const Index first = std::max<Index>(0, std::min(node - around, steps.size() - 2 * around));
-    Eigen::VectorXd near = steps.segment(first, std::min(2 * around, steps.size() - first));
-    return middle(near.begin(), near.end());
-}
-
-/// The step between the levels of heights that were digitised, and perhaps levelled afterwards; 0 without
-/// levels. A removed line changes all steps, but no second difference. So these are near multiples of the
-/// step, of which many are 0 and many are not.
-double digital_step(const Eigen::VectorXd& heights) {
-    const Index n = heights.size() - 2;
-    Eigen::VectorXd bends = (heights.head(n) - 2 * heights.segment(1, n) + heights.tail(n)).cwiseAbs();
-    std::sort(bends.begin(), bends.end());
-    constexpr double gap = 20, near = 0.1, least_share = 0.05;
-    const auto least = static_cast<Index>(std::ceil(least_share * static_cast<double>(n)));
-    for (Index k = n - least; k >= least; --k)
-        if (bends[k] > gap * bends[k - 1]) {
-            const Index past = std::upper_bound(bends.begin() + k, bends.end(), 1.5 * bends[k]) - bends.begin();
-            const double step = bends.segment(k, past - k).mean();
-            const Eigen::ArrayXd levels = bends.tail(n - k).array() / step;
-            return (levels > 1 / near || (levels - levels.round()).abs() <= near).all() ? step : 0;
-        }
-    return 0;
-}
-
-} // namespace
-
-std::vector<Index> outliers(const Eigen::VectorXd& heights) {
-    const Index nodes = heights.size();
-    if (nodes < min_profile_nodes) return {};
-    const Eigen::VectorXd steps = (heights.tail(nodes - 1) - heights.head(nodes - 1)).cwiseAbs();
-    Eigen::VectorXd in_order = steps;
-    const double usual = middle(in_order.begin(), in_order.end()), range = heights.maxCoeff() - heights.minCoeff();
-    const double resolved =
-        std::max((steps.array() > 1e-9 * range).select(steps.array(), range).minCoeff(), digital_step(heights));
-
-    std::vector<bool> is_outlier(static_cast<std::size_t>(nodes), false);
-    // 1 if the node stands out above its neighbours, -1 below, else 0. Flanks are compared only with the
-    // lines, because medians on a slope would hide them.
-    const auto stands_out = [&](Index i, bool is_flank) {
-        const auto left = predicted(heights, i, -1, is_outlier), right = predicted(heights, i, 1, is_outlier);
-        auto [lowest, highest] = std::minmax({left.line, right.line});
-        if (!is_flank) std::tie(lowest, highest) = std::minmax({lowest, highest, left.median, right.median});
-        const double beyond = std::max(heights[i] - highest, lowest - heights[i]),
-                     times = is_flank ? flank_steps : particle_steps;
-        if (beyond > times * usual && beyond > 3 * resolved && beyond > times * usual_step(steps, i))
-            return heights[i] > highest ? 1 : -1;
-        return 0;
-    };
-    std::vector<std::pair<Index, int>> inner;
-    for (Index i = min_aside; i < nodes - min_aside; ++i)
-        if (const int side = stands_out(i, false)) inner.emplace_back(i, side);
-    // A particle's outer nodes and flanks look like a step as long as its inner nodes predict their heights.
-    for (const auto& [node, side] : inner) is_outlier[static_cast<std::size_t>(node)] = true;
-    for (const auto& [node, side] : inner)
-        for (const Index step : {-1, 1})
-            for (Index i = node + step; i >= min_aside && i < nodes - min_aside; i += step)
-                if (!is_outlier[static_cast<std::size_t>(i)]) {
-                    if (stands_out(i, true) != side) break;
-                    is_outlier[static_cast<std::size_t>(i)] = true;
-                }
-    // A node at an end has few neighbours on one side. It is an outlier if it is as far from all other
-    // heights as these are from each other.
-    double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
-    for (Index i = min_aside; i < nodes - min_aside; ++i)
-        if (!is_outlier[static_cast<std::size_t>(i)])
-            lowest = std::min(lowest, heights[i]), highest = std::max(highest, heights[i]);
-    std::vector<Index> found;
-    for (Index i = 0; i < nodes; ++i) {
-        const bool at_end = i < min_aside || i >= nodes - min_aside;
-        const double beyond = std::max(heights[i] - highest, lowest - heights[i]);
-        if (is_outlier[static_cast<std::size_t>(i)] ||
-            (at_end && beyond > highest - lowest && beyond > 3 * resolved &&
-             beyond > 2 * particle_steps * std::max(usual, usual_step(steps, i))))
-            found.push_back(i);
-    }
-    return found;
-}
-
 Eigen::VectorXd interpolated(Eigen::VectorXd heights, const std::vector<Index>& nodes) {
     for (std::size_t at = 0; at < nodes.size();) {
         std::size_t end = at + 1; // after a run of nodes
@@ -369,6 +250,11 @@ Profile filled(Profile surface, const MissingPoints& missing, double max_share) 
     continue_into(rest, missing, surface);
     for (const Index node : missing.nodes) surface.heights[node] = rest[node] + plane.dot(powers(node));
     return surface;
+}
+
+Profile without(Profile surface, const std::vector<Index>& nodes) {
+    surface.heights(nodes).setConstant(std::numeric_limits<double>::quiet_NaN());
+    return filled(std::move(surface), missing_points(surface));
 }
 
 std::string in_words(const MissingPoints& missing, bool is_2d) {

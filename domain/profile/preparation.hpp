@@ -29,11 +29,6 @@ Eigen::VectorXd detrended(const Profile& profile, Detrend form);
 /// filtered along x and then along y: the areal Gaussian filter (ISO 16610-61).
 Eigen::VectorXd low_passed(const Profile& profile, double cut_off);
 
-/// The indices of outliers of a measured profile, in increasing order, by the method of scan/README.md,
-/// step 3. Particles of up to four nodes are found together with their flanks. Much wider particles count as
-/// surface. Profiles of under 16 nodes are not tested.
-std::vector<Index> outliers(const Eigen::VectorXd& heights);
-
 /// The heights, with those at `nodes` (increasing) interpolated linearly from the nearest other nodes.
 Eigen::VectorXd interpolated(Eigen::VectorXd heights, const std::vector<Index>& nodes);
 
@@ -56,6 +51,9 @@ MissingPoints missing_points(const Profile& surface);
 /// map the least-squares plane of the measured heights is removed. The difference is continued by Laplace's
 /// equation: a filled height is the weighted mean of its neighbours. Throws as expect_fillable().
 Profile filled(Profile surface, const MissingPoints& missing, double max_share = 1);
+
+/// The surface with the heights at `nodes` replaced as those of missing points.
+Profile without(Profile surface, const std::vector<Index>& nodes);
 
 /// Throws InputError, beginning with `where`, if all points are missing or a share above `max_share`.
 void expect_fillable(const MissingPoints& missing, double max_share, bool is_2d, const std::string& where = "surface");

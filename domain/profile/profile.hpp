@@ -25,6 +25,17 @@ inline Profile profile_of(const std::vector<double>& heights, double spacing) {
     return {Eigen::Map<const Eigen::VectorXd>(heights.data(), static_cast<Index>(heights.size())), spacing};
 }
 
+/// The grid whose nodes are the surface's. `periodic` is for the periodic kernel.
+inline Grid grid_of(const Profile& surface, bool periodic = false) {
+    const auto [columns, rows] = surface.shape();
+    const Index parts = surface.is_2d() || periodic ? columns : columns - 1;
+    return {.nodes = columns,
+            .length = surface.spacing * static_cast<double>(parts),
+            .periodic = periodic,
+            .rows = rows,
+            .width = surface.row_spacing * static_cast<double>(rows)};
+}
+
 /// The difference of two surfaces on equal grids: 1 minus the correlation coefficient of their heights. If
 /// the coefficient with the reversed heights of one surface is larger, it is used. The result is from 0 to 2,
 /// and 0 if one surface is flat.

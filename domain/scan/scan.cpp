@@ -1,6 +1,7 @@
 #include "domain/scan/scan.hpp"
 
 #include "domain/errors.hpp"
+#include "domain/profile/outliers.hpp"
 #include "domain/scan/surface_file.hpp"
 
 #include <numeric>
@@ -162,17 +163,23 @@ Profile evenly_spaced(const Points& points, Index nodes, const std::string& file
 }
 
 /// Finds outliers and, if `remove` is set, replaces them. Returns the ones that are kept.
-std::vector<Index> take_outliers(Profile& profile, bool remove, std::string& account) {
-    std::vector<Index> found = outliers(profile.heights);
+std::vector<Index> take_outliers(Profile& surface, bool remove, std::string& account) {
+    std::vector<Index> found = outliers(surface);
     if (found.empty()) return found;
-    const Eigen::VectorXd without = interpolated(profile.heights, found);
-    const double change = (without - profile.heights).cwiseAbs().maxCoeff(),
-                 range = profile.heights.maxCoeff() - profile.heights.minCoeff();
-    say(account, counted(found.size(), "outlier"), " (", found.size() == 1 ? "at" : "from",
-        " x = ", profile.spacing * static_cast<double>(found.front()), " mm) ", remove ? "replaced linearly" : "kept",
+    Profile clean = without(surface, found);
+    const double change = (clean.heights - surface.heights).cwiseAbs().maxCoeff(),
+                 range = surface.heights.maxCoeff() - surface.heights.minCoeff();
+    const Index first = found.front(), columns = surface.shape().columns;
+    const std::string place = surface.is_2d()
+                                  ? line_of("row ", first / columns + 1, ", column ", first % columns + 1)
+                                  : line_with_digits(6, "x = ", surface.spacing * static_cast<double>(first), " mm");
+    say(account, counted(found.size(), "outlier"), " (", found.size() == 1 ? "at " : "from ", place, ") ",
+        !remove           ? "kept"
+        : surface.is_2d() ? "replaced by Laplace's equation"
+                          : "replaced linearly",
         ", up to ", change, " mm or ", line_with_digits(3, 100 * change / range), " % of the range");
     if (!remove) return found;
-    profile.heights = without;
+    surface = std::move(clean);
     return {};
 }
 
@@ -257,19 +264,19 @@ Scan open_scan(const std::filesystem::path& path, const ScanOptions& options) {
             .missing = std::move(missing)};
 }
 
-Map read_map(const std::filesystem::path& path, const ScanOptions& options) {
+Scan read_map(const std::filesystem::path& path, const ScanOptions& options) {
     check(options);
     const std::string file = path.string();
     HeightMap read = read_heights(path, options, true);
     const Extent shape{read.columns(), read.rows};
     if (shape.columns < 2 || shape.rows < 2)
         refuse(file, ": ", shape.rows, " rows of ", shape.columns, " heights; give a matrix of 2 x 2 or more");
-    Map map{{std::move(read.heights), read.spacing, shape.rows, read.row_spacing}};
-    Profile& surface = map.heights;
+    Scan map{file, {std::move(read.heights), read.spacing, shape.rows, read.row_spacing}};
+    Profile& surface = map.measured;
     if (!std::isfinite(surface.spacing * static_cast<double>(surface.nodes()) * surface.row_spacing))
         refuse_value("spacing", surface.spacing, " mm x ", surface.row_spacing,
                      " mm is too large for an area; check the unit");
-    std::string account;
+    std::string& account = map.account;
     say(account, "a map of ", shape.columns, " x ", shape.rows, " heights (", read.format, ", ", read.units, ")");
     map.missing = missing_points(surface);
     if (map.missing) {
@@ -282,14 +289,9 @@ Map read_map(const std::filesystem::path& path, const ScanOptions& options) {
                     options, account);
         surface = filled(std::move(surface), map.missing);
     }
+    map.outliers = take_outliers(surface, options.remove_outliers, account);
     prepare(surface, options, account);
-    map.account = account;
     return map;
-}
-
-Grid Scan::grid(bool periodic) const {
-    const Index nodes = measured.nodes();
-    return {nodes, measured.spacing * static_cast<double>(periodic ? nodes : nodes - 1), periodic};
 }
 
 Profile Scan::on(const Grid& wanted) const {
@@ -297,7 +299,7 @@ Profile Scan::on(const Grid& wanted) const {
         throw InputError(line_of(name, ": a grid of ", wanted.nodes, " nodes; use the scan's ", measured.nodes()),
                          "nodes");
     Profile profile = measured;
-    if (wanted.length != grid(wanted.periodic).length) profile.spacing = wanted.spacing();
+    if (wanted.length != grid_of(measured, wanted.periodic).length) profile.spacing = wanted.spacing();
     return profile;
 }
 

@@ -25,7 +25,7 @@ struct ScanOptions {
     Index row = 0; ///< row of an areal map to take, from 1; 0: the file has a profile
     /// Number of evenly spaced nodes to which heights are resampled, >= 2; 0: as many as the file has points.
     Index nodes = 0;
-    bool remove_outliers = false; ///< whether outliers are replaced by linear interpolation
+    bool remove_outliers = false; ///< whether outliers are replaced as missing points are filled
     /// Cut-off wavelength of a Gaussian filter, mm; 0: no filter. It is applied after the form is removed,
     /// and removes shorter wavelengths.
     double lambda_s = 0;
@@ -33,16 +33,13 @@ struct ScanOptions {
     double lambda_c = 0;
 };
 
-/// A measured line profile from a file. Lengths in mm.
+/// A measured line or map from a file. Lengths in mm.
 struct Scan {
     std::string name;                 ///< path of the file
-    Profile measured = {};            ///< profile at evenly spaced nodes, x growing
+    Profile measured = {};            ///< heights at evenly spaced nodes, x growing
     std::string account = {};         ///< how the scan was read and changed, in one line
     std::vector<Index> outliers = {}; ///< outliers that were kept
     MissingPoints missing = {};       ///< points that were not measured; their heights are filled
-
-    /// The grid of the scan's nodes. `periodic` is for the periodic kernel.
-    Grid grid(bool periodic = false) const;
 
     /// The scan's points, stretched to the grid's length if it differs. Throws InputError if the grid and the
     /// scan have different numbers of nodes.
@@ -56,19 +53,12 @@ Scan open_scan(const std::filesystem::path& file, const ScanOptions& options = {
 /// Whether open_scan() refuses a file only because it has a map, and no row of it is requested.
 bool holds_map(const std::filesystem::path& file, const ScanOptions& options = {});
 
-/// A map's heights, and the statements of its file about them.
-struct Map {
-    Profile heights;            ///< heights and spacings, mm
-    std::string account = {};   ///< how it was read and changed, in one line
-    MissingPoints missing = {}; ///< points that were not measured; their heights are filled
-};
-
 /// Reads a map. Each line of a text matrix is a row along x; y grows from line to line. A table of three
 /// columns whose first two make a grid is read as x, y and height of its nodes, in any order. X3P, SDF, SUR,
-/// GSF, GWY and other formats have units and spacings. Options of rows, nodes and outliers are not used.
+/// GSF, GWY and other formats have units and spacings. Options of rows and nodes are not used.
 ///
 /// Throws InputError with one line that names the file and the place. Faults are fewer than 2 x 2 heights,
 /// rows of different lengths, missing points, and a spacing or unit that contradicts the file's.
-Map read_map(const std::filesystem::path& path, const ScanOptions& options);
+Scan read_map(const std::filesystem::path& path, const ScanOptions& options);
 
 } // namespace rough

@@ -98,14 +98,13 @@ Profile row_of(const Surface& surface, rough::Index row) {
 /// The options of a scan that a map has, too.
 std::vector<app::Setting> map_options() {
     std::vector<app::Setting> options = app::scan_settings();
-    std::erase_if(options,
-                  [](const app::Setting& option) { return option.name == "row" || option.name == "outliers"; });
+    std::erase_if(options, [](const app::Setting& option) { return option.name == "row"; });
     return options;
 }
 
 Surface read_surface(const std::filesystem::path& file, const py::kwargs& options) {
     const auto settings = Keywords(options, "read").only(app::joined({{app::map_setting()}, map_options()}));
-    return {app::surface_from(settings.with({{"surface", file.string()}}, app::scan_settings())).heights};
+    return {app::surface_from(settings.with({{"surface", file.string()}}, app::scan_settings())).measured};
 }
 
 py::tuple read_profile(const std::filesystem::path& file, const py::kwargs& options) {

@@ -26,8 +26,8 @@ def read(file, *, surface=False, **options):
     """A genome file (.json) as a Genome, a measured scan as a Profile, or a map as a Surface.
 
     The options are the program's flags: unit, spacing, row, detrend, outliers, lambda_s, lambda_c, fill and
-    max_filled of a scan; a map has no row and outliers. The file is a map with surface=True, or if spacing
-    is a pair along x and y.
+    max_filled of a scan; a map has no row. The file is a map with surface=True, or if spacing is a pair along x
+    and y.
     """
     if _pathlib.Path(file).suffix == ".json":
         if options:

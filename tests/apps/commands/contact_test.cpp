@@ -170,6 +170,29 @@ TEST_CASE("contact takes a material's elasticity and warns beyond its hardness o
     CHECK_THAT(said("spiked.txt"), Catch::StartsWith(carry));
     CHECK(said("spiked.txt --outliers remove").find(carry) == std::string::npos);
     CHECK(said("clean.txt").find("warning") == std::string::npos);
+
+    const auto map = [](bool is_spiked) {
+        std::string text;
+        for (int j = 0; j < 40; ++j)
+            for (int i = 0; i < 50; ++i)
+                text += std::to_string(std::cos(0.3 * i + 0.2 * j) + 0.1 * std::sin(7. * i * j) +
+                                       (is_spiked && (i == 20 || i == 21) && j == 30 ? 9 : 0)) +
+                        (i < 49 ? ' ' : '\n');
+        return text;
+    };
+    folder.write("map.txt", map(false));
+    folder.write("spikes.txt", map(true));
+    const auto of_map = [&](const std::string& flags) {
+        return done(folder, "contact --unit um --spacing 1x1 --steps 5 --force --out c.csv --surface " + flags).out;
+    };
+    CHECK_THAT(of_map("spikes.txt --resolution off"),
+               Catch::Contains(carry) && Catch::Contains("2 outliers (from row 31, column 21) kept"));
+    CHECK_THAT(of_map("spikes.txt --outliers remove"),
+               Catch::Contains("2 outliers (from row 31, column 21) replaced by Laplace's equation") &&
+                   !Catch::Contains(carry));
+    const double removed = rows_of(folder / "c.csv").back()[1];
+    CHECK(of_map("map.txt").find("outlier") == std::string::npos);
+    CHECK(rows_of(folder / "c.csv").back()[1] == Approx(removed).epsilon(0.05));
     CHECK_THAT(said("clean.txt --material copper"), Catch::StartsWith(ends) && Catch::Contains("hardness of copper"));
     CHECK(said("clean.txt --material copper --hardness 369").find(ends) == std::string::npos);
     CHECK(said("clean.txt --material copper --to-pressure 1").find(ends) == std::string::npos);

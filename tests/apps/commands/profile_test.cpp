@@ -161,8 +161,8 @@ TEST_CASE("profile describes a genome on a 2-D grid as a map, with the requested
     rough::Grid grid{40, 0.8};
     grid.rows = 30;
     grid.width = 0.6;
-    const rough::Map back = rough::read_map(
+    const rough::Scan back = rough::read_map(
         folder / "o" / "heights.txt", {.spacing = 0.8 / 40, .row_spacing = 0.6 / 30, .detrend = rough::Detrend::none});
-    CHECK((back.heights.heights - sample(file.genome, grid).heights).cwiseAbs().maxCoeff() < 1e-15);
+    CHECK((back.measured.heights - sample(file.genome, grid).heights).cwiseAbs().maxCoeff() < 1e-15);
     CHECK(std::filesystem::file_size(folder / "o" / "surface.stl") == 84 + 50 * 4 * (42 * 32 - 1));
 }

@@ -140,7 +140,11 @@ class Contact(WithFolder):
                   dict(hardness=0.02), dict(accuracy=0.01), dict(resolution="on", steps=3), dict(threads=1)]
         of_lines = [dict(datum=3), dict(kernel="strip", strip_width=0.02)]
         scans = [dict(unit="um"), dict(detrend="mean"), dict(lambda_s=0.03), dict(lambda_c=0.15)]
-        of_maps = [dict(surface="gaps.txt", fill=True), dict(surface="gaps.txt", fill=True, max_filled=0.1)]
+        spiked = numpy.random.default_rng(4).normal(0, 1e-3, (24, 20))
+        spiked[9:11, 7] += 0.05
+        self.save(spiked, "spiked.txt")
+        of_maps = [dict(surface="gaps.txt", fill=True), dict(surface="gaps.txt", fill=True, max_filled=0.1),
+                   dict(surface="spiked.txt", outliers="remove")]
         read_here = {"unit", "detrend", "lambda_s", "lambda_c", "outliers", "row", "fill", "max_filled"}
         tried = set()
 

@@ -123,7 +123,7 @@ const Profile line{1e-3 * Eigen::VectorXd::Random(300), 0.002};
 const Profile relief =
     maps::map_of({6, 4}, 0.01, 0.025, [](double x, double y) { return 1e-3 * std::sin(300 * x) - y; });
 
-Map as_map(const std::string& bytes, ScanOptions options = {}) {
+Scan as_map(const std::string& bytes, ScanOptions options = {}) {
     const tests::Folder folder;
     options.detrend = Detrend::none;
     return read_map(folder.write("map", bytes), options);
@@ -207,10 +207,10 @@ TEST_CASE("an ASCII surface data file of several profiles is a map") {
     CHECK(read_file(text, {.fill = true, .max_filled = 0.5, .row = 2}).measured.heights[1] == Approx(4.5e-3));
     CHECK_THAT(refusal_of_file(text, {.row = 2}), Catch::Contains("line 10") && Catch::Contains("missing"));
     CHECK_THAT(refusal_of_file(text, {}), Catch::Contains("the row to take"));
-    const Map map = as_map(changed(text, "-32768", "3"));
-    CHECK((map.heights.shape() == Extent{3, 2} && map.heights.spacing == Approx(1e-3)));
-    CHECK(map.heights.row_spacing == Approx(2e-3));
-    CHECK(map.heights.heights.isApprox(1e-3 * Eigen::Vector<double, 6>(1, 2, 1, 4, 3, 5)));
+    const Scan map = as_map(changed(text, "-32768", "3"));
+    CHECK((map.measured.shape() == Extent{3, 2} && map.measured.spacing == Approx(1e-3)));
+    CHECK(map.measured.row_spacing == Approx(2e-3));
+    CHECK(map.measured.heights.isApprox(1e-3 * Eigen::Vector<double, 6>(1, 2, 1, 4, 3, 5)));
 }
 
 TEST_CASE("a profile written as X3P is read back to the last bit") {
@@ -318,11 +318,11 @@ TEST_CASE("surfaces written as X3P or SUR are read back", "[map]") {
     for (const auto& [format, write, spacing_error, height_error] :
          {std::tuple("X3P", &x3p, 1e-14, 1e-15), {"SUR", &sur, 1e-7, 1e-9}}) {
         INFO(format);
-        const Map map = as_map(write(relief));
-        CHECK(map.heights.shape() == relief.shape());
-        CHECK(map.heights.spacing == Approx(0.01).epsilon(spacing_error));
-        CHECK(map.heights.row_spacing == Approx(0.025).epsilon(spacing_error));
-        CHECK((map.heights.heights - relief.heights).cwiseAbs().maxCoeff() <= height_error * largest);
+        const Scan map = as_map(write(relief));
+        CHECK(map.measured.shape() == relief.shape());
+        CHECK(map.measured.spacing == Approx(0.01).epsilon(spacing_error));
+        CHECK(map.measured.row_spacing == Approx(0.025).epsilon(spacing_error));
+        CHECK((map.measured.heights - relief.heights).cwiseAbs().maxCoeff() <= height_error * largest);
         CHECK_THAT(map.account, Catch::Contains(format));
         CHECK((read_file(write(line), {}).measured.heights - line.heights).cwiseAbs().maxCoeff() <=
               height_error * line.heights.cwiseAbs().maxCoeff());
@@ -335,12 +335,12 @@ TEST_CASE("surfaces written as X3P or SUR are read back", "[map]") {
 
 TEST_CASE("a matrix and points x, y, height in any order are the same map", "[map]") {
     const std::string matrix = "1 2 3\n4 5 6\n";
-    const Map by_rows = as_map(matrix, {.unit = "um", .spacing = 10, .row_spacing = 20});
-    const Map by_points = as_map("20 20 6\n0 0 1\n10 0 2\n0 20 4\n20 0 3\n10 20 5\n", {.unit = "um"});
-    for (const Map* map : {&by_rows, &by_points}) {
-        CHECK((map->heights.shape() == Extent{3, 2} && map->heights.spacing == Approx(0.01)));
-        CHECK(map->heights.row_spacing == Approx(0.02));
-        for (Index k = 0; k < 6; ++k) CHECK(map->heights.heights[k] == Approx(1e-3 * double(k + 1)));
+    const Scan by_rows = as_map(matrix, {.unit = "um", .spacing = 10, .row_spacing = 20});
+    const Scan by_points = as_map("20 20 6\n0 0 1\n10 0 2\n0 20 4\n20 0 3\n10 20 5\n", {.unit = "um"});
+    for (const Scan* map : {&by_rows, &by_points}) {
+        CHECK((map->measured.shape() == Extent{3, 2} && map->measured.spacing == Approx(0.01)));
+        CHECK(map->measured.row_spacing == Approx(0.02));
+        for (Index k = 0; k < 6; ++k) CHECK(map->measured.heights[k] == Approx(1e-3 * double(k + 1)));
     }
 }
 

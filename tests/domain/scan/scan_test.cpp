@@ -273,22 +273,22 @@ TEST_CASE("a text map's header gives units and spacings, or is refused", "[map]"
     for (const std::string head :
          {"# Value units: um", "# Unit: um", "# unit = um", "# z [um]", "# Data unit: um", "\"Unit\",\"um\""}) {
         INFO(head);
-        const Map read = map(head + "\n" + matrix, {.spacing = 0.5});
-        CHECK(read.heights.heights[5] == Approx(6e-3));
+        const Scan read = map(head + "\n" + matrix, {.spacing = 0.5});
+        CHECK(read.measured.heights[5] == Approx(6e-3));
         CHECK_THAT(read.account, Catch::Contains("heights in µm (header), spacing in mm (assumed)"));
         CHECK_THROWS_WITH(map(head + "\n" + matrix, {.unit = "mm", .spacing = 0.5}), Catch::Contains("heights in µm"));
     }
     const std::string sides = "Width: 2.00 um\nHeight: 6.0 um\n";
-    CHECK(map(sides + matrix).heights.spacing == Approx(5e-4));
-    CHECK(map(sides + matrix, {.unit = "mm,nm"}).heights.row_spacing == Approx(2e-3));
-    CHECK(map(sides + matrix, {.unit = "mm,nm"}).heights.heights[0] == Approx(1e-6));
+    CHECK(map(sides + matrix).measured.spacing == Approx(5e-4));
+    CHECK(map(sides + matrix, {.unit = "mm,nm"}).measured.row_spacing == Approx(2e-3));
+    CHECK(map(sides + matrix, {.unit = "mm,nm"}).measured.heights[0] == Approx(1e-6));
     CHECK_THROWS_WITH(map(sides + matrix, {.spacing = 1}), Catch::Contains("spacing along x of 0.0005 mm"));
-    const Map wyko = map("Pixel_size\t7\t4\t0.0005\n" + matrix);
-    CHECK((wyko.heights.spacing == 0.0005 && wyko.heights.row_spacing == 0.0005));
+    const Scan wyko = map("Pixel_size\t7\t4\t0.0005\n" + matrix);
+    CHECK((wyko.measured.spacing == 0.0005 && wyko.measured.row_spacing == 0.0005));
 
-    const Map points = map("x [um] y [um] z [nm]\n" + list, {.spacing = 0.002});
-    CHECK((points.heights.shape() == Extent{2, 2} && points.heights.spacing == Approx(2e-3)));
-    CHECK(points.heights.heights[3] == Approx(5e-6));
+    const Scan points = map("x [um] y [um] z [nm]\n" + list, {.spacing = 0.002});
+    CHECK((points.measured.shape() == Extent{2, 2} && points.measured.spacing == Approx(2e-3)));
+    CHECK(points.measured.heights[3] == Approx(5e-6));
     CHECK_THROWS_WITH(map("x [um] y [um] z [V]\n" + list), Catch::Contains("'V'"));
     CHECK_THROWS_WITH(map(list + "2 2 1\n"), Catch::Contains("line 5") && Catch::Contains("second height"));
     CHECK(map("1;2;3;\n4;5;6;7\n;;;\n", {.spacing = 1, .fill = true, .max_filled = 0.5}).missing.nodes ==
@@ -323,21 +323,4 @@ TEST_CASE("holes of a map are filled by a plane or another harmonic function exa
         CHECK((filled(holed, missing).heights - map.heights).cwiseAbs().maxCoeff() < 1e-12);
         CHECK_THROWS_WITH(filled(holed, missing, 0.1), Catch::Contains("share 0.1"));
     }
-}
-
-TEST_CASE("spikes at the ends are outliers, the steps of levelled digital heights are not") {
-    Eigen::VectorXd z(200), digital(400);
-    for (Index i = 0; i < z.size(); ++i) z[i] = std::sin(0.1 * double(i)) + 0.05 * std::sin(37. * double(i * i));
-    CHECK(outliers(z).empty());
-    for (const Index node : {0, 1, 2, 197, 198, 199}) {
-        Eigen::VectorXd spiked = z;
-        spiked[node] = 1000;
-        CHECK(outliers(spiked) == std::vector<Index>{node});
-    }
-    for (Index i = 0; i < digital.size(); ++i)
-        digital[i] = 0.0129 * std::round(std::sin(0.02 * double(i)) / 0.0129 * 0.3 + 0.4 * std::sin(double(i * i))) -
-                     1.4e-6 * double(i);
-    CHECK(outliers(digital).empty());
-    digital[200] += 1;
-    CHECK(outliers(digital) == std::vector<Index>{200});
 }
