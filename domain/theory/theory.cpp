@@ -5,8 +5,6 @@
 #include "ga/base/random.hpp"
 
 #include <boost/math/quadrature/gauss.hpp>
-#include <boost/math/special_functions/ellint_1.hpp>
-#include <boost/math/special_functions/ellint_2.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 
 #include <numbers>
@@ -77,57 +75,6 @@ void expect_gaussian(const SpectralMoments& m) {
     if (!(m.bandwidth() > 1.5))
         refuse("theory: bandwidth ", m.bandwidth(),
                " is out of range (above 1.5, as for every isotropic Gaussian surface)");
-}
-
-/// Area and load of an elliptic Hertz contact, divided by those of a sphere at the same approach. The sphere
-/// has the mean curvature sqrt(k1 k2), and k1/k2 = (1 + kappa)/(1 - kappa) (Johnson 1985, eq. 4.26-4.28).
-struct Ellipse {
-    double area, load;
-};
-Ellipse ellipse(double kappa) {
-    const double ratio = (1 + kappa) / (1 - kappa);
-    const auto curvatures = [](double e) {
-        const double K = boost::math::ellint_1(e), E = boost::math::ellint_2(e);
-        return (E / (1 - e * e) - K) / (K - E);
-    };
-    double low = 1e-4, high = 1 - 1e-15; // rounder ones are spheres to 1e-8
-    if (ratio <= curvatures(low)) return {1, 1};
-    for (int i = 0; i < 100 && high - low > 1e-15; ++i)
-        (curvatures((low + high) / 2) < ratio ? low : high) = (low + high) / 2;
-    const double e = (low + high) / 2, K = boost::math::ellint_1(e), E = boost::math::ellint_2(e);
-    const double share = 2 * (K - E) / (e * e * K);
-    return {share * std::sqrt((1 - e * e) * ratio), pi / (2 * K) * std::sqrt(share) * std::pow(ratio, 0.25)};
-}
-
-/// Summits of mean curvature x sqrt(2 m4/3), integrated over the difference of their two curvatures. The difference is
-/// kappa times their sum, and kappa's part of the density is 2 kappa (1 - kappa^2) x^4 exp(-kappa^2 x^2).
-struct Sharpness {
-    double x, weight;  ///< node and weight of Gauss' rule over x
-    double area, load; ///< sums over the summits, each pressed by an approach of 1
-};
-
-const std::vector<Sharpness>& sharpnesses() {
-    static const std::vector<Sharpness> all = [] {
-        constexpr double sharpest = 10;                       // in standard deviations
-        const std::vector<Node> angles = nodes_on(0, pi / 2); // kappa is their sine
-        std::vector<Ellipse> ellipses;
-        for (const Node& angle : angles) ellipses.push_back(ellipse(std::sin(angle.at)));
-        std::vector<Sharpness> made;
-        for (const auto& [x, weight] : nodes_on(0, sharpest)) {
-            Sharpness one{x, weight, 0, 0};
-            for (std::size_t k = 0; k < angles.size(); ++k) {
-                const double kappa = std::sin(angles[k].at), cosine = std::cos(angles[k].at);
-                const double density = 2 * kappa * std::exp(-kappa * kappa * x * x) * cosine * angles[k].weight;
-                one.area += density * cosine * ellipses[k].area;
-                one.load += density * std::pow(cosine, 1.5) * ellipses[k].load;
-            }
-            one.area *= normal_density(x) * std::pow(x, 3);
-            one.load *= normal_density(x) * std::pow(x, 3.5);
-            made.push_back(one);
-        }
-        return made;
-    }();
-    return all;
 }
 
 /// int_t^inf (s - t)^n phi(s) ds, phi the standard normal density, for n = 1/2, 1 and 3/2.
@@ -247,24 +194,6 @@ TheoryCurve greenwood_williamson(const SpectralMoments& moments, double effectiv
     });
 }
 
-TheoryCurve bush_gibson_thomas(const SpectralMoments& m, double effective_modulus, const Eigen::VectorXd& pressures) {
-    expect_gaussian(m);
-    const double sharp = std::sqrt(2 * m.m4 / 3);                         // standard deviation of the mean curvature
-    const double deviation = std::sqrt(m.m0 * (1 - 1.5 / m.bandwidth())); // that of heights at one mean curvature
-    const double area = sharp / (2 * m.m2) * deviation,
-                 load = effective_modulus * std::pow(sharp * deviation, 1.5) / (2 * pi * m.m2);
-    return curve_of(pressures, std::sqrt(m.m0), [&](double d) {
-        State state{0, 0, 0};
-        for (const Sharpness& s : sharpnesses()) {
-            const Exceedances over = exceedances((d - m.m2 / sharp * s.x) / deviation);
-            state.pressure += 4.0 / 3 * load * s.weight * s.load * over.three_halves;
-            state.fraction += area * s.weight * s.area * over.one;
-            state.stiffness += 2 * load / deviation * s.weight * s.load * over.half;
-        }
-        return state;
-    });
-}
-
 TheoryCurve persson(const RandomSurface& surface, double effective_modulus, const Eigen::VectorXd& pressures) {
     TheoryCurve curve{pressures, Eigen::VectorXd(pressures.size()), Eigen::VectorXd(pressures.size())};
     const double slope = rms_slope(surface), gamma = 0.45;
@@ -280,7 +209,7 @@ TheoryCurve persson(const RandomSurface& surface, double effective_modulus, cons
 }
 
 const std::vector<std::string>& theory_names() {
-    static const std::vector<std::string> names{"greenwood-williamson", "bush-gibson-thomas", "persson"};
+    static const std::vector<std::string> names{"greenwood-williamson", "persson"};
     return names;
 }
 
@@ -294,9 +223,8 @@ TheoryCurve predicted_curve(Theory theory, const RandomSurface& surface, double 
         refuse(name_of(theory), ": this theory is for maps only; choose persson for a profile");
     if (!(effective_modulus > 0) || !(pressures.array() > 0).all())
         refuse(name_of(theory), ": modulus or a mean pressure is not above 0; give positive ones");
-    if (theory == Theory::persson) return persson(surface, effective_modulus, pressures);
-    const auto curve = theory == Theory::bush_gibson_thomas ? bush_gibson_thomas : greenwood_williamson;
-    return curve(spectral_moments(surface), effective_modulus, pressures);
+    return theory == Theory::persson ? persson(surface, effective_modulus, pressures)
+                                     : greenwood_williamson(spectral_moments(surface), effective_modulus, pressures);
 }
 
 } // namespace rough

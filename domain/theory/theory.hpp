@@ -53,9 +53,9 @@ double rms_slope(const RandomSurface& surface);
 Profile realised(const SelfAffine& parameters, const Grid& grid, std::uint64_t seed);
 
 /// Theories of the contact of a rigid, random, Gaussian surface with a `periodic` half-space (README.md).
-enum class Theory { greenwood_williamson, bush_gibson_thomas, persson };
+enum class Theory { greenwood_williamson, persson };
 
-/// The names greenwood-williamson, bush-gibson-thomas and persson, in the order of Theory.
+/// The names greenwood-williamson and persson, in the order of Theory.
 const std::vector<std::string>& theory_names();
 const std::string& name_of(Theory theory); ///< the name of a theory
 
@@ -90,12 +90,6 @@ Summits summits(const SpectralMoments& moments);
 /// summit and of the body above the mean summit, phi is the density of s. NaN if d < 0.
 TheoryCurve greenwood_williamson(const SpectralMoments& moments, double effective_modulus,
                                  const Eigen::VectorXd& pressures);
-
-/// Bush, Gibson & Thomas (1975, Wear 35, 87): each summit is an elliptic paraboloid, a Hertz contact that does not
-/// influence another. Curvatures and heights have the joint distribution of the summits of an isotropic Gaussian
-/// surface (Longuet-Higgins 1957, Nayak 1971). NaN if the separation of the mean planes is below 0.
-TheoryCurve bush_gibson_thomas(const SpectralMoments& moments, double effective_modulus,
-                               const Eigen::VectorXd& pressures);
 
 /// Persson's theory (2001, J. Chem. Phys. 115, 3840; 2007, Phys. Rev. Lett. 99, 125502) for profiles and
 /// maps: A/A0 = erf(sqrt 2 P/(E* h')), exact at full contact. Stiffness follows from the elastic energy. Let

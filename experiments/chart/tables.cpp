@@ -42,7 +42,7 @@ std::string extras(const ChartRun& run) {
     return words.empty() ? "" : " (" + words.substr(2) + ")";
 }
 
-/// A theory's name as in texts: Bush-Gibson-Thomas.
+/// A theory's name as in texts: Greenwood-Williamson.
 std::string titled(std::string name) {
     for (std::size_t i = 0; i < name.size(); ++i)
         if (i == 0 || name[i - 1] == '-') name[i] = static_cast<char>(std::toupper(name[i]));
