@@ -12,7 +12,7 @@ namespace {
 constexpr Index min_profile_nodes = 16, around = 12;
 constexpr std::size_t side = 7; ///< nodes that predict, on either side
 constexpr Index min_aside = 3;
-constexpr Index max_extent = 8; ///< of a particle on a map with its flanks, along x and along y, nodes
+constexpr Index max_extent = 8; ///< largest extent of a particle on a map along x and along y, with its flanks, nodes
 /// Median steps by which a particle stands out, and by which its flanks do.
 constexpr double particle_steps = 6, flank_steps = 3;
 
@@ -71,7 +71,7 @@ double digital_step(Eigen::VectorXd bends) {
     return 0;
 }
 
-/// As below, of one line. The median step of all lines is `usual`; their resolution is `resolved`.
+/// The sides of the outliers of one line. The median step of all lines is `usual`; their resolution is `resolved`.
 Eigen::VectorXi sides_of_outliers(const Eigen::VectorXd& heights, const Eigen::VectorXd& steps, double usual,
                                   double resolved) {
     const Index nodes = heights.size();
@@ -114,8 +114,7 @@ Eigen::VectorXi sides_of_outliers(const Eigen::VectorXd& heights, const Eigen::V
     return side_of;
 }
 
-/// For each node of the lines 1 if it is an outlier above the others of its line, -1 below, else 0. Each
-/// column is a line.
+/// For each node of the lines 1 if it is an outlier above its line, -1 below, else 0. Each column is a line.
 Eigen::MatrixXi sides_of_outliers(const Eigen::MatrixXd& lines) {
     const Index nodes = lines.rows();
     Eigen::MatrixXi sides = Eigen::MatrixXi::Zero(nodes, lines.cols());
@@ -146,7 +145,7 @@ std::vector<Index> outliers(const Profile& surface) {
     std::vector<Index> around = standing; // with neighbours, which join nodes that meet at corners
     for (const Index node : standing)
         each_neighbour(node, surface.shape(), false, [&](Index other) { around.push_back(other); });
-    // Scratches and ridges stand out, too, but they are long, or they go on beside the nodes that were found.
+    // Scratches and ridges stand out, too. But they are long, or the nodes next to those found are as high.
     each_group(around, surface.shape(), false, [&, wide = columns, high = rows](const std::vector<Index>& group) {
         const auto extent = [&](auto coordinate) {
             const auto [first, last] = std::ranges::minmax(group, {}, coordinate);
