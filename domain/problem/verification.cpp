@@ -50,9 +50,11 @@ std::vector<double> shares_at(const DesignSetup& setup, const Loading& loading, 
 }
 
 /// How far a curve may lie below (column 0, at most 0) and above (column 1) its value at each point of a target,
-/// relative to the target. Stiffness may be that of either tangent in the load step there. Contact area may differ by
-/// half its change.
-Eigen::MatrixX2d range_in_step(const Target& target, const Response& response, const Curve& curve) {
+/// relative to the target. If a few nodes begin to touch in the load step there, stiffness may be that of either
+/// tangent, and contact area may differ by half its change. If n nodes do so in any order, half of them, with a
+/// standard deviation of sqrt(n)/2, touch in the middle. Three of these are 3/sqrt(n) of that range. `nodes` is the
+/// number of all nodes.
+Eigen::MatrixX2d range_in_step(const Target& target, const Response& response, const Curve& curve, Index nodes) {
     const auto& P = response.pressure;
     const auto& at = target.against_pressure() ? P : response.displacement;
     Eigen::MatrixX2d range = Eigen::MatrixX2d::Zero(target.points(), 2);
@@ -60,15 +62,18 @@ Eigen::MatrixX2d range_in_step(const Target& target, const Response& response, c
     for (Index k = 0; k < target.points(); ++k) {
         const Index b = std::clamp(std::lower_bound(at.begin(), at.end(), target.x[k]) - at.begin(), Index{1},
                                    response.steps() - 1);
+        const double change = std::abs(response.contact_fraction[b] - response.contact_fraction[b - 1]),
+                     share = 3 / std::sqrt(std::max(9., change * static_cast<double>(nodes)));
         if (is_contact_fraction(target.quantity)) {
-            const double half = std::abs(response.contact_fraction[b] - response.contact_fraction[b - 1]) / 2;
+            const double half = share * change / 2;
             range.row(k) << -half / target.y[k], half / target.y[k];
             continue;
         }
         const double secant = (P[b] - P[b - 1]) / (response.displacement[b] - response.displacement[b - 1]),
                      value = curve.at(target.x[k]);
         // 1/K_i = 1/K - 1/K_full: a relative change of K changes K_i by K_i/K times as much.
-        const double by = (target.quantity == Quantity::interface_stiffness ? value / secant : 1) * value / target.y[k];
+        const double by =
+            share * (target.quantity == Quantity::interface_stiffness ? value / secant : 1) * value / target.y[k];
         const auto tangents = response.tangent_stiffness.segment(b - 1, 2);
         range(k, 0) = by * std::min(tangents.minCoeff() / secant - 1, 0.);
         range(k, 1) = by * std::max(tangents.maxCoeff() / secant - 1, 0.);
@@ -246,7 +251,8 @@ void Verifier::verify(const Genome& genome, Verification& result) const {
         const Response& response = fine.responses[target.against_pressure() ? 0 : fine.responses.size() - 1];
         const Eigen::VectorXd error = with_neighbours((own_steps[t] - finest[t]).cwiseAbs()) / (by_.steps - 1) +
                                       error_left(on_grid[t], between[t], finest[t]);
-        const Eigen::MatrixX2d range = range_in_step(target, response, fine.curves[t]);
+        const Eigen::MatrixX2d range =
+            range_in_step(target, response, fine.curves[t], refined(setup_.model.grid, by_.nodes).shape().nodes());
         const auto moved_by = [&](const Eigen::VectorXd& by) {
             return misfit(target, (finest[t] + by).cwiseProduct(target.y).eval());
         };
