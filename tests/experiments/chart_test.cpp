@@ -153,10 +153,11 @@ TEST_CASE("rugosa chart ends in time, and its page has only what was measured") 
 
 TEST_CASE("chart.csv has the measurements so far when the program is killed") {
     const app::testing::Folder folder;
-    const auto ended = app::testing::disturbed("chart --quick --minutes 60 --out r", folder.path(),
-                                               "grep -qs hertz r/chart.csv", "kill -KILL $child");
+    const auto ended =
+        app::testing::disturbed("chart --quick --out r", folder.path(), "[ -s r/chart.csv ]", "kill -KILL $child");
     CHECK(ended.code == app::testing::killed);
-    const std::string table = rough::read_whole(folder / "r" / "chart.csv");
-    CHECK_THAT(table, Catch::Contains("\nhertz,"));
-    CHECK_THAT(table, !Catch::Contains("\nhertz,free,auto,16384,")); // the finest grid
+    const auto rows = app::csv_rows(rough::read_whole(folder / "r" / "chart.csv"));
+    CHECK(rows.size() > 1);
+    for (const auto& row : rows) CHECK(row.size() == rows[0].size());
+    CHECK_FALSE(exists(folder / "r" / "chart.html"));
 }
