@@ -10,10 +10,10 @@
 namespace app {
 namespace {
 
-/// The smallest unit with fewer than four digits before the point.
+/// The smallest unit with fewer than four digits before the point, also after rounding to three digits.
 Unit fitting(double largest, const std::vector<Unit>& units) {
     for (const Unit& unit : units)
-        if (std::abs(largest) * unit.factor < 1000) return unit;
+        if (std::abs(largest) * unit.factor < 999.5) return unit;
     return units.back();
 }
 

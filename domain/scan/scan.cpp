@@ -277,7 +277,7 @@ Scan read_map(const std::filesystem::path& path, const ScanOptions& options) {
         refuse_value("spacing", surface.spacing, " mm x ", surface.row_spacing,
                      " mm is too large for an area; check the unit");
     std::string& account = map.account;
-    say(account, "a map of ", shape.columns, " x ", shape.rows, " heights (", read.format, ", ", read.units, ")");
+    say(account, "a map of ", shape.columns, " x ", shape.rows, " heights; ", read.format, ", ", read.units);
     map.missing = missing_points(surface);
     if (map.missing) {
         const Index first = map.missing.nodes.front();

@@ -1,7 +1,7 @@
 # Heights of the best surface, or its contact pressure at the last load.
 what = word(arg, 1); target = arg[strlen(what) + 2:*]
 eval sized(400)
-set size ratio -1; unset grid; unset key
+set size ratio -1; unset grid; unset key; set autoscale fix
 file = tables."surfaces.csv"; c = what eq "heights" ? "height_mm" : "pressure_MPa"
 here(i) = strcol("problem") eq target
 stats file using (here(0) ? abs(column(c)) : NaN) nooutput

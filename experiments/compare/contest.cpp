@@ -287,13 +287,13 @@ std::string add_surfaces(Findings& found, const ProblemResults& results) {
         return rough::rank_sum_p(similarities[order[0]], similarities[v]);
     }));
     p.insert(p.begin(), NAN);
-    std::vector<std::string> not_told;
+    std::vector<std::string> not_different;
     for (std::size_t rank = 0; rank < order.size(); ++rank) {
         const std::size_t v = order[rank];
         const std::string& name = results.variants[v].first;
         const double median = rough::median(similarities[v]);
         const rough::Interval interval = rough::median_interval(similarities[v]);
-        if (p[rank] > significant) not_told.push_back(name);
+        if (p[rank] > significant) not_different.push_back(name);
         const json& middle = median_surface(v);
         json& one = found.result["problems"][problem]["variants"][name];
         one.update(middle);
@@ -304,9 +304,9 @@ std::string add_surfaces(Findings& found, const ProblemResults& results) {
     }
     add_progress(found, results);
     if (setup.model.grid.is_2d()) add_map(found, results, median_surface(order[0]));
-    return "highest on " + problem + ": " + results.variants[order[0]].first + " " +
+    return problem + ": the highest median is that of " + results.variants[order[0]].first + ", " +
            readable(rough::median(similarities[order[0]]), 4) +
-           (not_told.empty() ? "" : ", not told from " + boost::join(not_told, ", "));
+           (not_different.empty() ? "" : " (no clear difference from " + boost::join(not_different, ", ") + ")");
 }
 
 } // namespace

@@ -30,3 +30,12 @@ names = ""
 collect(s) = (strstrt("|".names, "|".s."|") == 0 ? (names = names.s."|", 1) : 0)
 parts(s) = strstrt(s, "|") == 0 ? 0 : 1 + parts(s[strstrt(s, "|") + 1:*])
 nth(s, i) = i == 1 ? s[1:strstrt(s, "|") - 1] : nth(s[strstrt(s, "|") + 1:*], i - 1)
+# The names of n curves beside their ends, from the lowest end upwards and at least a gap apart: `eval names_at_ends`,
+# with the curves' last values in the array `last`, and the axis from `bottom` to `top`.
+names_at_ends = "array placed[n]; gap = 0.057 * (top - bottom); height = bottom - gap; unset key; \
+set rmargin at screen 0.63; do for [i = 1:n] { placed[i] = 0 }; do for [k = 1:n] { lowest = 0; \
+do for [i = 1:n] { if (!placed[i] && (lowest == 0 || last[i] < last[lowest])) { lowest = i } }; \
+placed[lowest] = 1; height = last[lowest] > height + gap ? last[lowest] : height + gap; \
+height = height > top - gap * (n - k) ? top - gap * (n - k) : height; \
+set arrow k from graph 1, first last[lowest] to graph 1.06, first height nohead lt lowest; \
+set label k nth(names, lowest) at graph 1.08, first height noenhanced font ',12' }"

@@ -11,6 +11,7 @@ TEST_CASE("a quantity is shown in a suitable unit") {
     CHECK(pressure_unit(2).name == "MPa");
     CHECK(pressure_unit(5e4).name == "GPa");
     CHECK(length_unit(1.2e-4).name == "nm");
+    CHECK(length_unit(0.00099999).name == "µm"); // 1.00, not 1000 nm
     CHECK(length_unit(0.02).name == "µm");
     CHECK(length_unit(0.85 * 2e3).name == "m");
     CHECK(0.02 * length_unit(0.02).factor == Approx(20));
