@@ -12,6 +12,7 @@ namespace {
 constexpr Index min_profile_nodes = 16, around = 12;
 constexpr std::size_t side = 7; ///< nodes that predict, on either side
 constexpr Index min_aside = 3;
+constexpr double max_share = 0.02; ///< share of a map's nodes above which they are its texture
 constexpr Index max_extent = 8; ///< largest extent of a particle on a map along x and along y, with its flanks, nodes
 /// Median steps by which a particle stands out, and by which its flanks do.
 constexpr double particle_steps = 6, flank_steps = 3;
@@ -168,6 +169,7 @@ std::vector<Index> outliers(const Profile& surface) {
             if (beside < (top + side * base) / 2) std::ranges::copy_if(group, std::back_inserter(found), is_found);
         }
     });
+    if (static_cast<double>(found.size()) > max_share * static_cast<double>(surface.nodes())) return {};
     std::ranges::sort(found);
     return found;
 }
