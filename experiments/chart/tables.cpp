@@ -127,9 +127,9 @@ std::string advice(const ChartData& data, std::size_t scene, const ErrorKind& ki
     words += ".";
     if (const ChartRun* more = five && one != five ? most_accurate(runs, kind, 10 * five->seconds) : nullptr)
         words += more->*kind.value < 0.9 * (five->*kind.value)
-                     ? " Ten times the time of the first lowers the error from " + percent_words(five->*kind.value) +
-                           " to " + percent_words(more->*kind.value) + "."
-                     : " Ten times the time of the first does not lower the error.";
+                     ? " Within ten times the time of the first the error falls from " +
+                           percent_words(five->*kind.value) + " to " + percent_words(more->*kind.value) + "."
+                     : " Within ten times the time of the first the error does not fall.";
     return words;
 }
 

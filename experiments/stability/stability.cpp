@@ -185,8 +185,8 @@ std::string stability_verdict(const json& rows, const std::set<std::string>& uns
     if (wrong.empty()) words += ", and no solver gave a wrong curve";
     words += ".";
     for (const auto& [method, number] : others)
-        words += (others.begin()->first == method ? " Scenes without a right curve: " : ", ") + method + " " +
-                 std::to_string(number);
+        words += (others.begin()->first == method ? " Scenes without a right curve, with those refused: " : ", ") +
+                 method + " " + std::to_string(number);
     return words + (others.empty() ? "" : ".");
 }
 

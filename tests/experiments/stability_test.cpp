@@ -138,11 +138,11 @@ TEST_CASE("stability's verdict names wrong curves first, then what auto failed o
                    {"flat", "auto", "not-converged", true},
                    {"flat", "nnls", "solved", true}}) ==
           "auto, the default, failed on 1 of 2 scenes with a solution: flat (free), and no solver gave a wrong "
-          "curve. Scenes without a right curve: nnls 1.");
+          "curve. Scenes without a right curve, with those refused: nnls 1.");
     CHECK(verdict({{"spike", "nnls", "wrong", true}, {"spike", "auto", "solved", true}}) ==
           "Wrong curves: nnls on spike (free). auto, the default, failed on none of the 1 scene with a "
           "solution. "
-          "Scenes without a right curve: nnls 1.");
+          "Scenes without a right curve, with those refused: nnls 1.");
     CHECK(verdict({{"nan", "auto", "wrong", false}}) ==
           "Wrong curves: auto on nan (free). No scene with a solution was tried.");
 }
