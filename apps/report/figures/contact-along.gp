@@ -2,7 +2,8 @@
 # arg: pressure or gap
 is_pressure = arg eq "pressure"; file = tables."along.csv"; shown = is_pressure ? "pressure_MPa" : "gap_mm"
 loads = ""
-add(p) = (loads = loads.sprintf(" %.9g", p), p)
+# (gnuplot 5.4 takes no "1e-05" for a number.)
+add(p) = (loads = loads.sprintf(" %.9e", p), p)
 stats tables."loads.csv" using (add(column("mean_pressure_MPa"))) nooutput
 mean = STATS_max
 stats file using "x_mm" nooutput
