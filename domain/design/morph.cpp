@@ -161,12 +161,14 @@ Morphed changed(const DesignSetup& given, const Genome& genome, const std::vecto
     const DesignProblem problem(setup);
     const double allowed = 1 - required;
     LeastChange search(problem, genome, control, radius, allowed);
+    const bool met = search.meets();
     if (!search.meets()) search.nearest(first_try);
     if (!search.meets()) {
         const double before = search.merit();
         search.minimise_misfit(second_try);
         if (search.merit() > before + worth_another_try * std::abs(before)) search.nearest(second_try);
     }
+    if (!met && search.meets()) search.nearest(second_try); // the first end may be short of the least change
     const Eigen::VectorXd& x = search.best();
 
     Morphed result;

@@ -159,6 +159,8 @@ TEST_CASE("chart.csv has the measurements so far when the program is killed") {
     CHECK(ended.code == app::testing::killed);
     const auto rows = app::csv_rows(rough::read_whole(folder / "r" / "chart.csv"));
     CHECK(rows.size() > 1);
+    CHECK(std::ranges::none_of(
+        rows, [](const auto& row) { return row[0] == "hertz" && row[3] == "16384"; })); // the finest grid
     for (const auto& row : rows) CHECK(row.size() == rows[0].size());
     CHECK_FALSE(exists(folder / "r" / "chart.html"));
 }
