@@ -51,9 +51,9 @@ std::vector<double> shares_at(const DesignSetup& setup, const Loading& loading, 
 
 /// How far a curve may lie below (column 0, at most 0) and above (column 1) its value at each point of a target,
 /// relative to the target. If a few nodes begin to touch in the load step there, stiffness may be that of either
-/// tangent, and contact area may differ by half its change. If n nodes do so in any order, half of them, with a
-/// standard deviation of sqrt(n)/2, touch in the middle. Three of these are 3/sqrt(n) of that range. `nodes` is the
-/// number of all nodes.
+/// tangent, and contact area may differ by half its change. If n nodes do so in any order, n/2 of them touch in the
+/// middle. The standard deviation is sqrt(n)/2, and three of these are 3/sqrt(n) of that range. `nodes` is the number
+/// of all nodes.
 Eigen::MatrixX2d range_in_step(const Target& target, const Response& response, const Curve& curve, Index nodes) {
     const auto& P = response.pressure;
     const auto& at = target.against_pressure() ? P : response.displacement;
