@@ -254,7 +254,8 @@ Profile filled(Profile surface, const MissingPoints& missing, double max_share) 
 
 Profile without(Profile surface, const std::vector<Index>& nodes) {
     surface.heights(nodes).setConstant(std::numeric_limits<double>::quiet_NaN());
-    return filled(std::move(surface), missing_points(surface));
+    const MissingPoints missing = missing_points(surface);
+    return filled(std::move(surface), missing);
 }
 
 std::string in_words(const MissingPoints& missing, bool is_2d) {
