@@ -49,7 +49,7 @@ Bindings bindings_of(ModelParameters& of) {
     const rough::Model usual;
     return {
         {whole("nodes", "", 2, 1e7,
-               "nodes of the grid, 2 to 1e7 [" + std::to_string(usual.grid.nodes) + "; for a scan: its points]")
+               "nodes of the grid, 2 to 1e7 [" + std::to_string(usual.grid.nodes) + "; for a scan or map: its points]")
              .several('x'),
          grid.nodes},
         {positive("length", "",
@@ -155,16 +155,13 @@ void expect_for_map(const Settings& settings, const std::string& prefix, const s
 /// A 2-D grid from --nodes and --length. By default it is a square with the nodes and the length of `usual`.
 rough::Grid map_grid(const rough::Grid& usual, const Settings& settings, const std::string& prefix = "") {
     rough::Grid grid = usual;
-    std::vector<double> nodes(2, static_cast<double>(usual.nodes)), length(2, usual.length);
-    settings.take(prefix + "nodes", nodes);
+    std::vector<double> length(2, usual.length);
     settings.take(prefix + "length", length);
-    grid.nodes = static_cast<rough::Index>(nodes.front());
-    grid.rows = static_cast<rough::Index>(nodes.back());
+    const rough::Extent cells = cells_from(settings, prefix).value_or(rough::Extent{usual.nodes, usual.nodes});
+    grid.nodes = cells.columns;
+    grid.rows = cells.rows;
     grid.length = length.front();
     grid.width = length.back();
-    if (nodes.front() * nodes.back() > 2e7)
-        settings.refuse(prefix + "nodes", "'", settings.text(prefix + "nodes"),
-                        "' has more than 2e7 nodes; give fewer");
     return grid;
 }
 
@@ -185,6 +182,15 @@ rough::Model map_model_on(const rough::Grid& usual, const Settings& settings, co
 }
 
 } // namespace
+
+std::optional<rough::Extent> cells_from(const Settings& settings, const std::string& prefix) {
+    if (!settings.knows(prefix + "nodes") || !settings.has(prefix + "nodes")) return {};
+    const std::vector<double> nodes = settings.numbers(prefix + "nodes");
+    if (nodes.front() * nodes.back() > 2e7)
+        settings.refuse(prefix + "nodes", "'", settings.text(prefix + "nodes"),
+                        "' has more than 2e7 nodes; give fewer");
+    return rough::Extent{static_cast<rough::Index>(nodes.front()), static_cast<rough::Index>(nodes.back())};
+}
 
 Source open_genome(const std::filesystem::path& file) {
     rough::GenomeFile read = rough::read_genome_file(file);
@@ -299,7 +305,7 @@ rough::Resolution resolution_from(const Settings& settings) {
 Source scan_from(const std::filesystem::path& file, const Settings& settings, rough::Index nodes,
                  const std::string& prefix, bool keep_missing) {
     rough::ScanOptions options = scan_options(settings, prefix, keep_missing);
-    options.nodes = nodes;
+    options.nodes = {nodes};
     return {placing(settings, prefix, [&] { return rough::open_scan(file, options); })};
 }
 
@@ -333,8 +339,9 @@ std::vector<Setting> surface_settings() {
 }
 
 rough::Scan surface_from(const Settings& settings, const std::string& flag, bool keep_missing) {
-    expect_none(settings, {"nodes", "length", "row"}, "given with --" + flag + "; omit it, as it is for profiles only");
-    const rough::ScanOptions options = scan_options(settings, "", keep_missing);
+    expect_none(settings, {"length", "row"}, "given with --" + flag + "; omit it, as it is for profiles only");
+    rough::ScanOptions options = scan_options(settings, "", keep_missing);
+    options.nodes = cells_from(settings).value_or(rough::Extent{});
     return placing(settings, "", [&] { return rough::read_map(settings.text(flag), options); });
 }
 
@@ -348,7 +355,8 @@ bool asks_for_map(const Settings& settings, const std::string& prefix) {
 
 rough::Model model_of(const rough::Profile& surface, const Settings& settings) {
     if (surface.is_2d()) expect_for_map(settings, "", {"datum", "strip-width"});
-    return model_from(settings, "", grid_of(surface, is_periodic(settings)));
+    return model_from(surface.is_2d() ? settings.with({{"nodes", ""}}) : settings, "",
+                      grid_of(surface, is_periodic(settings)));
 }
 
 rough::Model surface_model_from(const Settings& settings, const std::string& prefix) {

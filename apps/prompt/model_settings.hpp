@@ -32,6 +32,9 @@ std::string material_note(const Settings& settings);
 /// caps pressures.
 double elastic_limit(const Settings& settings, const rough::Body& body);
 
+/// The numbers of nodes of a map along x and y by --nodes, if it is given; one number stands for both.
+std::optional<rough::Extent> cells_from(const Settings& settings, const std::string& prefix = "");
+
 /// The settings of a model: --nodes, --length, --kernel … as flags (prefix "") or keys (prefix "model.").
 std::vector<Setting> model_settings(const std::string& prefix = "");
 
@@ -105,7 +108,7 @@ rough::Model model_of(const rough::Profile& surface, const Settings& settings);
 rough::Model surface_model_from(const Settings& settings, const std::string& prefix = "");
 
 /// The map of the flag, without its form (--detrend, by default its plane) and the wavelengths that
-/// --lambda-s and --lambda-c remove. Missing points as by scan_from().
+/// --lambda-s and --lambda-c remove. It is resampled to --nodes if they are given. Missing points as by scan_from().
 rough::Scan surface_from(const Settings& settings, const std::string& flag = "surface", bool keep_missing = false);
 
 /// The heights of --genome on the map of --nodes and --length, which is periodic or not.

@@ -86,7 +86,7 @@ DesignSetup as_reported(DesignSetup setup) {
 }
 
 DesignSetup design_like(const Profile& profile, Model model, const std::string& name,
-                        const std::vector<Quantity>& quantities, Index points, std::optional<Index> nodes,
+                        const std::vector<Quantity>& quantities, Index points, std::optional<Extent> nodes,
                         Resolution resolution, std::optional<double> max_pressure) {
     auto targets = targets_like(profile, model, name, quantities, {points, max_pressure}, resolution);
     for (Target& target : targets)
@@ -94,7 +94,9 @@ DesignSetup design_like(const Profile& profile, Model model, const std::string& 
             target.lower = target.lower.cwiseMax((1 - max_band_share) * target.y);
             target.upper = target.upper.cwiseMin((1 + max_band_share) * target.y);
         }
-    if (!profile.is_2d()) model.grid.nodes = nodes ? *nodes : enough_nodes(profile, targets);
+    const Extent usual = profile.is_2d() ? profile.shape() : Extent{enough_nodes(profile, targets)};
+    model.grid.nodes = nodes.value_or(usual).columns;
+    model.grid.rows = nodes.value_or(usual).rows;
     return {
         .model = std::move(model), .targets = std::move(targets), .max_pressure = max_pressure, .measured = profile};
 }

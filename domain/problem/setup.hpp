@@ -67,11 +67,12 @@ DesignSetup as_reported(DesignSetup setup);
 /// up to the model's last load. Unless `resolution` is off, they have the band of target_like(). It is cut at
 /// 5 % from the profile's response on either side, because the design must also be near the measured curve.
 ///
-/// The grid gets `nodes` nodes. The default is 512. For contact area it is the profile's number of nodes (512
-/// to 4096), or more if fewer than 32 nodes would touch at the first point. A map keeps its nodes.
+/// The grid gets `nodes` (one row for a line). For a line the default is 512 nodes. For contact area it is the
+/// profile's number of nodes (512 to 4096), or more if fewer than 32 nodes would touch at the first point. For a map it
+/// is the map's nodes.
 DesignSetup design_like(const Profile& profile, Model model, const std::string& name,
                         const std::vector<Quantity>& quantities = {Quantity::stiffness, Quantity::area_at_pressure},
-                        Index points = 20, std::optional<Index> nodes = {}, Resolution resolution = Resolution::off,
+                        Index points = 20, std::optional<Extent> nodes = {}, Resolution resolution = Resolution::off,
                         std::optional<double> max_pressure = {});
 
 /// The names of the quantities of a scan that a design can match: `both` (stiffness and contact area),

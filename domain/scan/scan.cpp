@@ -63,6 +63,35 @@ Profile resampled(const std::vector<double>& x, const std::vector<double>& heigh
     return profile;
 }
 
+/// The rows of a matrix, as heights of cells along a side, on `count` cells of the same length.
+Eigen::MatrixXd on_cells(const Eigen::MatrixXd& measured, Index count) {
+    const double ratio = static_cast<double>(measured.rows()) / static_cast<double>(count);
+    const auto at = [&](double node) -> Eigen::RowVectorXd {
+        const Index left = std::clamp<Index>(static_cast<Index>(node), 0, measured.rows() - 2);
+        const double share = node - static_cast<double>(left);
+        return (1 - share) * measured.row(left) + share * measured.row(left + 1);
+    };
+    Eigen::MatrixXd cells = Eigen::MatrixXd::Zero(count, measured.cols());
+    for (Index i = 0; i < count; ++i) {
+        const double from = static_cast<double>(i) * ratio - 0.5, to = from + ratio; // in measured nodes
+        if (ratio <= 1) cells.row(i) = at((from + to) / 2);
+        for (double next = 0, begin = from; ratio > 1 && begin < to; begin = next) {
+            next = std::min(std::floor(begin) + 1, to);
+            cells.row(i) += (next - begin) / ratio * at((begin + next) / 2);
+        }
+    }
+    return cells;
+}
+
+/// A map on other cells of the same area, as ScanOptions::nodes states.
+Profile resampled(const Profile& map, Extent cells) {
+    const auto [columns, rows] = map.shape();
+    const Eigen::MatrixXd along_x = on_cells(map.heights.reshaped(columns, rows), cells.columns);
+    return {on_cells(along_x.transpose(), cells.rows).transpose().reshaped(),
+            map.spacing * static_cast<double>(columns) / static_cast<double>(cells.columns), cells.rows,
+            map.row_spacing * static_cast<double>(rows) / static_cast<double>(cells.rows)};
+}
+
 /// Adds a part to the account of a scan; its numbers have six digits.
 template <class... Parts>
 void say(std::string& account, const Parts&... parts) {
@@ -191,8 +220,8 @@ void check(const ScanOptions& options) {
         refuse_value("lambda-s", options.lambda_s, " mm is out of range (less than lambda-c, ", options.lambda_c,
                      " mm)");
     if (options.row < 0) refuse("row: ", options.row, " is out of range (1 or more)");
-    if (options.nodes != 0 && (options.nodes < 2 || options.nodes > 10'000'000))
-        refuse("nodes: ", options.nodes, " is out of range (2 to 1e7)");
+    const auto [nodes, rows] = options.nodes;
+    if (nodes != 0 && (nodes < 2 || nodes > 10'000'000)) refuse("nodes: ", nodes, " is out of range (2 to 1e7)");
 }
 
 /// Removes the form and the wavelengths outside of the cut-offs, and states it.
@@ -234,13 +263,13 @@ Scan open_scan(const std::filesystem::path& path, const ScanOptions& options) {
     const std::size_t read = points.size();
     points = in_order(std::move(points), options, missing, file, account);
 
-    Profile profile = evenly_spaced(points, options.nodes, file, account);
+    Profile profile = evenly_spaced(points, options.nodes.columns, file, account);
     if (missing) { // a node is missing if a missing point decides its height
         std::vector<double> marks(points.size(), 0);
         for (const Index node : missing.nodes) marks[static_cast<std::size_t>(node)] = 1;
         points.heights = std::move(marks);
         std::string none;
-        const Profile marked = evenly_spaced(points, options.nodes, file, none);
+        const Profile marked = evenly_spaced(points, options.nodes.columns, file, none);
         missing.nodes.clear();
         for (Index node = 0; node < marked.nodes(); ++node)
             if (marked.heights[node] > 0) missing.nodes.push_back(node);
@@ -288,6 +317,16 @@ Scan read_map(const std::filesystem::path& path, const ScanOptions& options) {
                             ", column ", first % shape.columns + 1),
                     options, account);
         surface = filled(std::move(surface), map.missing);
+    }
+    if (const Extent cells = options.nodes; cells.columns != 0 && cells != shape) {
+        Profile missing{Eigen::VectorXd::Zero(surface.nodes()), surface.spacing, surface.rows, surface.row_spacing};
+        missing.heights(map.missing.nodes).setOnes();
+        missing.heights = resampled(missing, cells).heights;
+        map.missing.nodes.clear();
+        for (Index node = 0; node < missing.nodes(); ++node)
+            if (missing.heights[node] != 0) map.missing.nodes.push_back(node);
+        surface = resampled(surface, cells);
+        say(account, "resampled to ", cells.columns, " x ", cells.rows, " cells");
     }
     map.outliers = take_outliers(surface, options.remove_outliers, account);
     prepare(surface, options, account);

@@ -23,8 +23,10 @@ struct ScanOptions {
     /// Whether missing points are listed, not refused. Their heights are those of `fill`, with any share.
     bool keep_missing = false;
     Index row = 0; ///< row of an areal map to take, from 1; 0: the file has a profile
-    /// Number of evenly spaced nodes to which heights are resampled, >= 2; 0: as many as the file has points.
-    Index nodes = 0;
+    /// Numbers of evenly spaced nodes, >= 2, to which a line (one row) or a map is resampled; 0: as many as the
+    /// file has points. Heights are linear between points. A map keeps its area, and its heights continue
+    /// straight to its edges; along a side with fewer cells than points, a height is the mean over its cell.
+    Extent nodes = {};
     bool remove_outliers = false; ///< whether outliers are replaced as missing points are filled
     /// Cut-off wavelength of a Gaussian filter, mm; 0: no filter. It is applied after the form is removed,
     /// and removes shorter wavelengths.
@@ -55,7 +57,7 @@ bool holds_map(const std::filesystem::path& file, const ScanOptions& options = {
 
 /// Reads a map. Each line of a text matrix is a row along x; y grows from line to line. A table of three
 /// columns whose first two make a grid is read as x, y and height of its nodes, in any order. X3P, SDF, SUR,
-/// GSF, GWY and other formats have units and spacings. Options of rows and nodes are not used.
+/// GSF, GWY and other formats have units and spacings. The option of a row is not used.
 ///
 /// Throws InputError with one line that names the file and the place. Faults are fewer than 2 x 2 heights,
 /// rows of different lengths, missing points, and a spacing or unit that contradicts the file's.

@@ -9,6 +9,6 @@ FUZZ(scan) {
     options.fill = bytes[0] & 1;
     options.spacing = bytes[0] & 2 ? 0.001 : 0;
     options.unit = bytes[0] & 4 ? "um" : "";
-    options.nodes = bytes[0] & 8 ? 16 : 0;
+    options.nodes = {bytes[0] & 8 ? 16 : 0};
     rough::open_scan(fuzz::as_file(bytes.substr(1)), options);
 }

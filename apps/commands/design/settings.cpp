@@ -147,8 +147,11 @@ std::string pipeline_from(const Settings& settings, const std::map<std::string, 
 
 rough::DesignSetup setup_like(const rough::Profile& surface, const rough::Model& model, const std::string& name,
                               const Settings& settings, rough::Resolution resolution) {
-    std::optional<rough::Index> nodes;
-    if (!surface.is_2d()) settings.take("nodes", nodes);
+    std::optional<rough::Extent> nodes;
+    if (surface.is_2d())
+        nodes = cells_from(settings);
+    else if (settings.has("nodes"))
+        nodes = rough::Extent{settings.whole<rough::Index>("nodes")};
     std::optional<double> max_pressure;
     settings.take("max-pressure", max_pressure);
     return design_like(surface, model, name, rough::likeness_named(settings.text("quantity")),
@@ -161,8 +164,8 @@ DesignRequest request_from(const Settings& settings) {
     DesignRequest request;
     request.from = production_from(settings);
     if (is_like) {
-        // The nodes of a profile are those of its design.
-        const Scene scene = scene_from(is_map ? settings : settings.with({{"nodes", ""}}), "like", is_map);
+        // The nodes are those of the design.
+        const Scene scene = scene_from(settings.with({{"nodes", ""}}), "like", is_map);
         request.accounts = scene.notes;
         // The band of a map would take most of the time.
         request.setup =

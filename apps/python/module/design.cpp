@@ -81,7 +81,6 @@ Design design(const py::object& pressure, const py::object& stiffness, py::kwarg
     if (like) {
         surface = surface_from(*like, spacing, "design: like", filling);
         unknown.emplace_back("length");
-        if (surface->is_2d()) unknown.emplace_back("nodes");
     } else {
         unknown.insert(unknown.end(), {"quantity", "points"});
     }

@@ -90,7 +90,7 @@ std::vector<std::pair<std::string, Profile>> all() {
 namespace {
 
 /// Stiffness and contact area of a scan as targets, on a grid with these nodes.
-DesignSetup like_scan(const Profile& scan, std::optional<Index> nodes, double length, Kernel kernel = Kernel::free,
+DesignSetup like_scan(const Profile& scan, std::optional<Extent> nodes, double length, Kernel kernel = Kernel::free,
                       Resolution resolution = Resolution::off) {
     const Model model{.grid = {scan.nodes(), length}, .body = {.kernel = kernel}};
     return design_like(scan, completed(model), "scan", likeness_named("both"), 20, nodes, resolution);
@@ -106,7 +106,7 @@ TEST_CASE("the waves of a scan of few waves are these waves, on either body") {
             const double q = 2 * std::numbers::pi / (periodic ? 2.0 : 4.0);
             return 1e-3 * (std::cos(q * x + 0.4) + 0.5 * std::cos(3 * q * x + 2) + 0.2 * std::cos(7 * q * x));
         });
-        const DesignSetup setup = like_scan(scan, grid.nodes, 2, kernel);
+        const DesignSetup setup = like_scan(scan, {{grid.nodes}}, 2, kernel);
         const Profile sum = sample(scan_waves(setup, 10), grid);
         const Eigen::ArrayXd off = (sum.heights - scan.heights).array();
         CHECK((off - off.mean()).abs().maxCoeff() < 2e-2 * 3.4e-3);
@@ -116,7 +116,8 @@ TEST_CASE("the waves of a scan of few waves are these waves, on either body") {
 }
 
 TEST_CASE("refined waves of a scan have its stiffness and contact area") {
-    const DesignSetup setup = like_scan(fractal_profile(ten_scans::grid, 0.8, 1e-3, 5), 512, ten_scans::grid.length);
+    const DesignSetup setup =
+        like_scan(fractal_profile(ten_scans::grid, 0.8, 1e-3, 5), {{512}}, ten_scans::grid.length);
     // The first stages of the variant `like`.
     const Answer answer =
         search(setup, {.pipeline = "own 1 | score | refine lm 30 sharpen=8 | score verified | refine lm 30 sharpen=4",
@@ -127,7 +128,7 @@ TEST_CASE("refined waves of a scan have its stiffness and contact area") {
 }
 
 TEST_CASE("the variant like improves its answer until its evaluations are spent") {
-    const DesignSetup setup = like_scan(ten_scans::walk(9), 256, ten_scans::grid.length);
+    const DesignSetup setup = like_scan(ten_scans::walk(9), {{256}}, ten_scans::grid.length);
     SearchOptions options{.pipeline = "like", .evaluations = 130, .alternatives = 1};
     const SearchResult once = search(setup, options);
     REQUIRE(once.best.lowest() < default_required_similarity);
@@ -146,7 +147,7 @@ TEST_CASE("at least eight of ten scans are met to 0.9 in stiffness and area toge
         const SearchResult found = search(setup, {.pipeline = "like", .evaluations = 350});
         // Against the scan itself, at 16 times the load steps.
         const DesignSetup finer =
-            in_finer_steps(like_scan(profile, setup.model.grid.nodes, ten_scans::grid.length), 16);
+            in_finer_steps(like_scan(profile, {{setup.model.grid.nodes}}, ten_scans::grid.length), 16);
         const auto similar = similarities(finer, respond(finer, found.best.genome, finer.model));
         WARN(name << ": " << similar[0] << ", " << similar[1]);
         met += std::ranges::min(similar) >= 0.9;

@@ -110,7 +110,7 @@ TEST_CASE("unevenly spaced points are resampled on the straight lines between th
     CHECK(scan.measured.heights[4] == Approx(0).margin(1e-12));
     CHECK_THAT(scan.account,
                Catch::Contains("spacing uneven (1 to 6 mm); resampled linearly to 5 evenly spaced nodes"));
-    CHECK(read("0 0\n1 2\n4 8\n10 20\n11 0\n", {.detrend = Detrend::none, .nodes = 45}).measured.heights[4] ==
+    CHECK(read("0 0\n1 2\n4 8\n10 20\n11 0\n", {.detrend = Detrend::none, .nodes = {45}}).measured.heights[4] ==
           Approx(2));
 }
 
@@ -148,7 +148,7 @@ TEST_CASE("a file that is not a line scan is refused in one line with the reason
     CHECK_THAT(refusal("0 1\n"), Catch::Contains("1 point"));
     CHECK_THAT(refusal("0 1\n1 1\n2 1\n"), Catch::Contains("constant"));
     CHECK_THAT(refusal("dx = 0.5 um\n1\n2\n1\n", {.spacing = 7}), Catch::Contains("0.0005 mm"));
-    CHECK_THAT(refusal("0 1\n1 2\n2 1\n", {.nodes = 1}), Catch::Contains("2 to 1e7"));
+    CHECK_THAT(refusal("0 1\n1 2\n2 1\n", {.nodes = {1}}), Catch::Contains("2 to 1e7"));
     CHECK_THROWS_WITH(open_scan("no/such/scan.txt"), Catch::Contains("no/such/scan.txt"));
 }
 
@@ -254,6 +254,50 @@ TEST_CASE("a count of points may precede them, up to 1e9") {
     CHECK_THAT(refusal("12345678901234567890\n" + four_rows), Catch::Contains("missing value"));
     CHECK_THAT(refusal("SigmaSurf_Data\nSPACING_UM: 0.25\nNUMBER_OF_POINTS: 1e300\nPROFILE_UM:\n1\n2\n"),
                Catch::Contains("up to 1e9"));
+}
+
+TEST_CASE("a map is resampled to other cells of the same area", "[map]") {
+    const tests::Folder folder;
+    const auto resampled = [&](Extent from, Extent to, const std::function<double(double, double)>& height) {
+        std::ostringstream text;
+        text.precision(17);
+        for (Index j = 0; j < from.rows; ++j)
+            for (Index i = 0; i < from.columns; ++i)
+                text << height((static_cast<double>(i) + 0.5) / static_cast<double>(from.columns),
+                               (static_cast<double>(j) + 0.5) / static_cast<double>(from.rows))
+                     << (i + 1 < from.columns ? " " : "\n");
+        ScanOptions options{.spacing = 1. / static_cast<double>(from.columns),
+                            .row_spacing = 2. / static_cast<double>(from.rows),
+                            .detrend = Detrend::none};
+        options.nodes = to;
+        const Scan map = read_map(folder.write("map.txt", text.str()), options);
+        CHECK(map.measured.shape() == to);
+        const Grid grid = grid_of(map.measured);
+        CHECK((grid.length == Approx(1) && grid.width == Approx(2)));
+        double worst = 0;
+        for (Index node = 0; node < map.measured.nodes(); ++node)
+            worst = std::max(
+                worst, std::abs(map.measured.heights[node] -
+                                height((static_cast<double>(node % to.columns) + 0.5) / static_cast<double>(to.columns),
+                                       (static_cast<double>(node / to.columns) + 0.5) / static_cast<double>(to.rows))));
+        return worst;
+    };
+    const auto plane = [](double x, double y) { return 0.3 * x - 0.7 * y; };
+    const auto bump = [](double x, double y) { return std::sin(3 * x) * std::cos(2 * y); };
+    for (const auto& [from, to] : {std::pair(Extent{12, 9}, Extent{31, 27}), std::pair(Extent{31, 27}, Extent{12, 9}),
+                                   std::pair(Extent{12, 27}, Extent{31, 9}), std::pair(Extent{8, 8}, Extent{4, 2})}) {
+        INFO(from.columns << " x " << from.rows << " to " << to.columns << " x " << to.rows);
+        CHECK(resampled(from, to, plane) < 1e-14);
+    }
+    const double coarse = resampled({32, 32}, {80, 80}, bump), fine = resampled({64, 64}, {160, 160}, bump);
+    CHECK(coarse / fine == Approx(4).epsilon(0.1)); // second order, up to the edges
+    const double many = resampled({64, 64}, {20, 20}, bump), more = resampled({128, 128}, {40, 40}, bump);
+    CHECK(many / more == Approx(4).epsilon(0.1));
+
+    ScanOptions holed{.spacing = 1, .fill = true, .max_filled = 0.5};
+    holed.nodes = {8, 4};
+    CHECK(read_map(folder.write("holes.txt", "1 2 3 4\n5 nan 7 2\n3 1 2 1\n2 4 1 3\n"), holed).missing.nodes ==
+          std::vector<Index>{8, 9, 10, 11, 12}); // height 5 continues to the edge
 }
 
 TEST_CASE("points on a diagonal are refused as a map") {
