@@ -65,10 +65,9 @@ void find_answer(DesignRun& run, double limit, ProgressLine& progress) {
 
 /// The tolerance from the file of an interrupted run with the same answer and the same number of draws, or
 /// else computed. If that did not depend on the time, it is stored.
-rough::Tolerance kept_tolerance(const DesignRun& run, const std::filesystem::path& file,
-                                const rough::ToleranceOptions& options) {
+rough::Tolerance kept_tolerance(const DesignRun& run, const rough::DesignSetup& setup,
+                                const std::filesystem::path& file, const rough::ToleranceOptions& options) {
     const rough::Genome& genome = run.found.best.genome;
-    const rough::DesignSetup setup = toleranced(run);
     const std::string key =
         rough::json_text({run.origin.inputs, rough::description(setup), rough::genome_to_json(genome), run.options.seed,
                           options.price, options.draws ? nlohmann::json(*options.draws) : nullptr},
@@ -90,12 +89,13 @@ rough::Tolerance kept_tolerance(const DesignRun& run, const std::filesystem::pat
 /// Checks the answer of a run whose whole time is `limit` (s).
 void check_answer(DesignRun& run, double limit, const std::filesystem::path& folder, ProgressLine& progress) {
     const rough::Answer& best = run.found.best;
-    rough::ToleranceOptions tolerance = priced_tolerance(run);
+    const rough::DesignSetup tried = toleranced(run);
+    rough::ToleranceOptions tolerance = priced_tolerance(run, tried);
     rough::TrustOptions trust = run.trust_options;
     tolerance.stop = trust.stop = run.options.stop;
     progress.show("tolerance");
     tolerance.seconds = tolerance_by * limit - run.clock.seconds();
-    run.tolerance = kept_tolerance(run, folder / "tolerance.cbor", tolerance);
+    run.tolerance = kept_tolerance(run, tried, folder / "tolerance.cbor", tolerance);
     progress.show("verifying");
     trust.seconds = checked_by * limit - run.clock.seconds();
     run.trust = trust_in(run.setup, best.genome, trust, &best, &run.response);

@@ -130,8 +130,34 @@ Answer verified_answer(const DesignSetup& reported, const Genome& genome) {
     return answer_of(reported, genome, Verifier(reported).of(genome));
 }
 
-DesignSetup as_verified(const DesignSetup& setup, const Answer& answer) {
-    return answer.is_verified() ? corrected_targets(setup, answer.misfits.front(), answer.largest) : setup;
+DesignSetup as_verified(const DesignSetup& given, const Answer& answer) {
+    if (!answer.is_verified()) return given;
+    constexpr double agreed = 0.01; // largest change of a misfit on joined cells
+    const auto misfits_in = [&](const DesignSetup& setup) {
+        const SurfaceWithErrors made(setup, answer.genome);
+        try {
+            return misfits_of(setup, made.response(Eigen::VectorXd::Zero(made.surface().nodes())));
+        } catch (const std::exception&) { // e.g. full contact
+            return std::vector<Eigen::VectorXd>();
+        }
+    };
+    const double spacing = std::min(shortest_wave(answer.genome) * (1 + 1e-12) / 4, given.errors.noise_length);
+    const auto own = misfits_in(given);
+    if (own.empty()) return given;
+    DesignSetup setup = given, joined = given;
+    auto here = own;
+    for (Grid& grid = joined.model.grid; grid.is_2d() && grid.nodes % 2 == 0 && grid.rows % 2 == 0;) {
+        grid.nodes /= 2, grid.rows /= 2;
+        if (grid.widest_spacing() > spacing) break;
+        auto there = misfits_in(joined);
+        bool agrees = !there.empty();
+        for (std::size_t t = 0; agrees && t < own.size(); ++t)
+            agrees = (there[t] - own[t]).cwiseAbs().maxCoeff() <= agreed;
+        if (!agrees) break;
+        setup = joined;
+        here = std::move(there);
+    }
+    return corrected_targets(setup, here, answer.largest);
 }
 
 DesignResponse response_of(const DesignSetup& setup, const Answer& answer) {

@@ -28,9 +28,10 @@ struct Answer : Verification {
 /// verification, the similarity on the set-up's grid and load steps is still computed. The other similarities
 /// may then be NaN. Throws what respond() throws.
 Answer verified_answer(const DesignSetup& reported, const Genome& genome);
-/// The set-up with targets corrected so that the answer has the misfits of its verdict (Verification::largest)
-/// on the set-up's grid in its load steps. Errors of making are compared with them. The set-up itself if the
-/// answer is not verified.
+/// The set-up in which errors of making are tried. The targets are corrected so that the answer has the misfits of its
+/// verdict (Verification::largest) there. The cells of a map are joined by 2 x 2 as long as this changes no misfit of
+/// the answer by more than 0.01 before the correction, its shortest wave has four cells, and the correlation length of
+/// the noise has one. The set-up itself if the answer is not verified.
 DesignSetup as_verified(const DesignSetup& setup, const Answer& answer);
 /// The answer's response under the set-up; if the verification is incomplete, the stored one.
 DesignResponse response_of(const DesignSetup& setup, const Answer& answer);

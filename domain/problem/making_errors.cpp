@@ -35,15 +35,19 @@ SurfaceWithErrors::SurfaceWithErrors(DesignSetup setup, Genome genome)
     : setup_(without_eq_11(setup)), genome_(std::move(genome)), surface_(sample(genome_, setup.model.grid)),
       loadings_(loadings_of_made(setup, setup_)) {}
 
-double SurfaceWithErrors::similarity(const Eigen::VectorXd& errors) const {
+DesignResponse SurfaceWithErrors::response(const Eigen::VectorXd& errors) const {
     Profile made = surface_;
     made.heights += errors;
     std::vector<Response> responses;
+    for (const Loading& loading : loadings_)
+        responses.push_back(
+            respond(made, setup_.model.body, up_to_full_contact(loading, made, setup_.model), setup_.model.contact));
+    return design_response(setup_, std::move(responses));
+}
+
+double SurfaceWithErrors::similarity(const Eigen::VectorXd& errors) const {
     try {
-        for (const Loading& loading : loadings_)
-            responses.push_back(respond(made, setup_.model.body, up_to_full_contact(loading, made, setup_.model),
-                                        setup_.model.contact));
-        return rough::similarity(setup_, design_response(setup_, std::move(responses)));
+        return rough::similarity(setup_, response(errors));
     } catch (const std::exception&) {
         if (is_stopped(setup_.model.contact)) throw ga::Stopped{"stop requested"};
         return -HUGE_VAL;

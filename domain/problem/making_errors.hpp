@@ -19,7 +19,9 @@ class SurfaceWithErrors {
     SurfaceWithErrors(DesignSetup setup, Genome genome); ///< the surface of a genome from in_final_form()
 
     const Profile& surface() const { return surface_; } ///< the surface without errors
-    /// Similarity with these errors of the heights (mm, N entries); -infinity without a response. Throws
+    /// Response with these errors of the heights (mm, N entries). Throws what respond() throws.
+    DesignResponse response(const Eigen::VectorXd& errors) const;
+    /// Similarity with these errors of the heights; -infinity without a response. Throws
     /// ga::Stopped if ContactOptions::stop ends the solution.
     double similarity(const Eigen::VectorXd& errors) const;
     /// Misfits with these errors, and their derivatives with respect to the genes. `plain` are the rows of the genome

@@ -120,8 +120,8 @@ std::vector<rough::Target> targets_from(const Settings& settings, const rough::M
 bool is_judged_on_grid(const DesignRun& run);
 /// The set-up in which the tolerance of a run's answer is found: the similarity without errors is that of the verdict.
 rough::DesignSetup toleranced(const DesignRun& run);
-/// The options of the tolerance, which costs about as much as the search unless --draws is given.
-rough::ToleranceOptions priced_tolerance(const DesignRun& run);
+/// The options of the tolerance in toleranced(). It costs at most about as much as the search unless --draws is given.
+rough::ToleranceOptions priced_tolerance(const DesignRun& run, const rough::DesignSetup& tried);
 ///@{
 /// Parts of result.json.
 nlohmann::json trust_json(const rough::Trust& trust);

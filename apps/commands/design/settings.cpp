@@ -4,6 +4,7 @@
 #include "apps/report/surface.hpp"
 #include "domain/database/screen.hpp"
 #include "domain/design/pipelines.hpp"
+#include "domain/problem/prices.hpp"
 
 #include <numbers>
 
@@ -147,11 +148,8 @@ std::string pipeline_from(const Settings& settings, const std::map<std::string, 
 
 rough::DesignSetup setup_like(const rough::Profile& surface, const rough::Model& model, const std::string& name,
                               const Settings& settings, rough::Resolution resolution) {
-    std::optional<rough::Extent> nodes;
-    if (surface.is_2d())
-        nodes = cells_from(settings);
-    else if (settings.has("nodes"))
-        nodes = rough::Extent{settings.whole<rough::Index>("nodes")};
+    auto nodes = surface.is_2d() ? cells_from(settings) : std::nullopt;
+    if (!surface.is_2d() && settings.has("nodes")) nodes = rough::Extent{settings.whole<rough::Index>("nodes")};
     std::optional<double> max_pressure;
     settings.take("max-pressure", max_pressure);
     return design_like(surface, model, name, rough::likeness_named(settings.text("quantity")),
@@ -191,10 +189,10 @@ rough::DesignSetup toleranced(const DesignRun& run) {
     return is_judged_on_grid(run) ? run.setup : as_verified(run.setup, run.found.best);
 }
 
-rough::ToleranceOptions priced_tolerance(const DesignRun& run) {
+rough::ToleranceOptions priced_tolerance(const DesignRun& run, const rough::DesignSetup& tried) {
     rough::ToleranceOptions options = run.tolerance_options;
     if (const double price = run.found.counters.price; price > 0) // no search ran for the phases of --from
-        options.price = price;
+        options.price = price / relative_price(tried.model, run.setup.model);
     return options;
 }
 

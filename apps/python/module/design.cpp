@@ -120,8 +120,8 @@ py::dict without_units(const nlohmann::json& part) {
 py::dict tolerance_of(Design& design) {
     if (!design.tolerance) {
         const py::gil_scoped_release unlocked;
-        design.tolerance =
-            rough::tolerance_of(app::toleranced(design), design.found.best.genome, app::priced_tolerance(design));
+        const rough::DesignSetup tried = app::toleranced(design);
+        design.tolerance = rough::tolerance_of(tried, design.found.best.genome, app::priced_tolerance(design, tried));
     }
     py::dict result = without_units(app::tolerance_json(*design.tolerance));
     py::list curve;

@@ -1,3 +1,4 @@
+#include "domain/design/search.hpp"
 #include "domain/design/tolerance.hpp"
 #include "domain/numerics/statistics.hpp"
 #include "tests/catch.hpp"
@@ -169,6 +170,32 @@ TEST_CASE("the tolerance of a surface is the same on twice the nodes") {
     for (const auto value : {&ToleranceLevel::noise_rms, &ToleranceLevel::tilt, &ToleranceLevel::scale})
         for (const std::size_t level : {1u, 2u})
             CHECK(a.levels[level].*value == Approx(b.levels[level].*value).epsilon(0.05));
+}
+
+TEST_CASE("errors of a map are tried on its own cells if fewer change the answer", "[map]") {
+    const Case one = design_of(6, 32, 0.005, 2, 32);
+    const Answer answer = verified_answer(as_reported(one.setup), one.genome);
+    const DesignSetup tried = as_verified(one.setup, answer);
+    CHECK(tried.model.grid.shape() == Extent{32, 32});
+    CHECK(similarity_with({tried, answer.genome}, Eigen::VectorXd::Zero(32 * 32)) == Approx(answer.worst).margin(1e-9));
+}
+
+TEST_CASE("errors of a map on joined cells have the effect of those on its own cells", "[map][long]") {
+    Case one = design_of(6, 96, 0.005, 2, 96);
+    one.setup.errors.noise_length = two_mm / 24;
+    const Answer answer = verified_answer(as_reported(one.setup), one.genome);
+    const DesignSetup joined = as_verified(one.setup, answer),
+                      own = corrected_targets(one.setup, answer.misfits.front(), answer.largest);
+    CHECK(joined.model.grid.shape() == Extent{48, 48});
+    const Tolerance on_joined = tolerance_of(joined, answer.genome, {.draws = 100}),
+                    on_own = tolerance_of(own, answer.genome, {.draws = 100});
+    CHECK(on_joined.similarity == Approx(answer.worst).margin(1e-9));
+    for (std::size_t i = 1; i < on_own.levels.size(); ++i) { // 0.99 is at the verdict itself
+        INFO(on_own.levels[i].similarity);
+        CHECK(on_joined.levels[i].noise_rms == Approx(on_own.levels[i].noise_rms).epsilon(0.1));
+        CHECK(on_joined.levels[i].tilt == Approx(on_own.levels[i].tilt).epsilon(0.1));
+        CHECK(on_joined.levels[i].scale == Approx(on_own.levels[i].scale).epsilon(0.1));
+    }
 }
 
 TEST_CASE("a lower price makes fewer draws, and a wider interval of their share") {
