@@ -9,11 +9,6 @@
 namespace rough {
 namespace {
 
-const std::string in_finer_steps_too = "4 times the load steps, for the target too";
-const std::string as_designed = "as designed";
-/// A similarity that falls by more than this with more load steps is reported as dependent on them.
-constexpr double unsettled = 0.01;
-
 Model with_kernel(Model model, Kernel kernel) {
     model.body.kernel = kernel;
     model.body.layering = {};
@@ -26,27 +21,21 @@ void flag(Trust& trust, const Parts&... parts) {
     trust.flags.push_back(line_with_digits(3, parts...));
 }
 
-/// Root mean square slope, on a map of the gradient.
-double gradient_of(const Genome& genome, const Grid& grid) {
-    const auto all = surface_descriptors(grid);
-    const auto slope = std::ranges::find(all, std::string("slope"), &ga::Descriptor<Genome>::name);
-    return std::pow(10, slope->of(genome));
-}
-
 void assess_strains(const DesignSetup& setup, const Genome& genome, const TrustOptions& options,
                     const DesignResponse& response, Trust& trust) {
     const Profile profile = sample(genome, setup.model.grid);
-    trust.rms_slope = gradient_of(genome, setup.model.grid);
+    const auto all = surface_descriptors(setup.model.grid);
+    const auto slope = std::ranges::find(all, std::string("slope"), &ga::Descriptor<Genome>::name);
+    trust.rms_slope = std::pow(10, slope->of(genome)); // on a map of the gradient
     double displacement = 0;
     for (const Response& one : response.responses) displacement = std::max(displacement, one.displacement.tail(1)[0]);
     ContactOptions contact = setup.model.contact;
     contact.states = true;
     trust.last = solve_contact(profile, setup.model.body, {displacement}, contact).states.front();
-    const ContactState& state = trust.last;
-    trust.peak_pressure = state.pressure.maxCoeff();
+    trust.peak_pressure = trust.last.pressure.maxCoeff();
     const auto [columns, rows] = profile.shape();
     trust.contact_at_ends = setup.model.body.kernel != Kernel::periodic &&
-                            std::ranges::any_of(state.nodes, [columns = columns, rows = rows](int node) {
+                            std::ranges::any_of(trust.last.nodes, [columns = columns, rows = rows](int node) {
                                 const Index i = node % columns, j = node / columns;
                                 return i == 0 || i == columns - 1 || (rows > 1 && (j == 0 || j == rows - 1));
                             });
@@ -82,7 +71,7 @@ std::vector<Job> jobs_for(const DesignSetup& setup, const Genome& genome, const 
         jobs.push_back({list, name, [&, model] { return similarity(setup, respond(setup, genome, model)); }});
     };
     const auto ask = [&](const std::string& name, const Model& model, double Verification::*known) {
-        if (!verified || !known || !setup.model.grid.is_2d())
+        if (!verified)
             under(checks, name, model);
         else if (std::isnan(verified->*known))
             trust.left_out.push_back(name);
@@ -91,17 +80,11 @@ std::vector<Job> jobs_for(const DesignSetup& setup, const Genome& genome, const 
     };
     const Refinement by = verified_refinement(setup.model.grid);
     const auto times = [](auto factor, const char* of) { return std::to_string(factor) + " times the " + of; };
-    ask(as_designed, setup.model, &Verification::similarity);
-    if (by.nodes > 2) ask(times(2, "nodes"), refined(setup.model, 2), nullptr);
+    ask("as designed", setup.model, &Verification::similarity);
     ask(times(by.nodes, "nodes"), refined(setup.model, by.nodes), &Verification::refined);
     Model steps = setup.model;
     steps.loading.steps *= by.steps;
     ask(times(by.steps, "load steps"), steps, &Verification::more_steps);
-    if (setup.measured)
-        jobs.push_back({checks, in_finer_steps_too, [&] {
-                            const DesignSetup finer = in_finer_steps(setup, 4);
-                            return similarity(finer, respond(finer, genome, finer.model));
-                        }});
     DesignSetup unscaled = setup; // without Eq. 11: the genome's amplitude, loaded as far as the targets go
     unscaled.max_pressure.reset();
     if (setup.model.body.kernel == Kernel::free && !setup.model.grid.is_2d()) {
@@ -212,11 +195,6 @@ Trust trust_in(DesignSetup setup, const Genome& genome, const TrustOptions& opti
     if (!deciding.empty()) // a check without a response is the worst
         trust.under = *std::min_element(deciding.begin(), deciding.end(),
                                         [](double a, double b) { return a < b || (std::isnan(a) && !std::isnan(b)); });
-    for (const Check& one : trust.checks)
-        if (one.name == in_finer_steps_too && trust.checks[0].name == as_designed &&
-            one.similarity < trust.checks[0].similarity - unsettled)
-            flag(trust, "with ", in_finer_steps_too, ", the similarity is ", one.similarity,
-                 ": the two curves agree less between the ", setup.model.loading.steps, " steps than at them");
     if (const int missing = options.phase_draws - static_cast<int>(trust.redrawn.size()); missing > 0)
         trust.left_out.push_back(std::to_string(missing) + " sets of redrawn phases");
     return trust;

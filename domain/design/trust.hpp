@@ -44,9 +44,9 @@ struct Trust {
 };
 
 /// Checks a genome under changes of the model and under the set-up's errors. The genome must be in its final form
-/// (in_final_form()). A fine curve of a map takes a minute. So for a map three similarities are taken from `verified`,
-/// if it is given: as designed, with more nodes, and with more load steps. Those that are NaN are left out. The check
-/// with a farther datum uses the targets of with_datum(). `designed` is response_of(), if known.
+/// (in_final_form()). Three similarities are taken from `verified`, if it is given: as designed, with more nodes, and
+/// with more load steps. Those that are NaN are left out. The check with a farther datum uses the targets of
+/// with_datum(). `designed` is response_of(), if known.
 Trust trust_in(DesignSetup setup, const Genome& genome, const TrustOptions& options, const Answer* verified = nullptr,
                const DesignResponse* designed = nullptr);
 

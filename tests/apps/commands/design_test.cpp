@@ -59,7 +59,7 @@ TEST_CASE("the similarities of a design follow from its genome, for profiles and
         CHECK(ended.code == (variant["similarity_worst"].get<double>() >= rough::default_required_similarity ? 0 : 3));
         CHECK(variant["tolerance"]["similarity"].get<double>() == Approx(verified.worst).margin(10 * error));
         CHECK(variant["alternatives"].size() >= 1);
-        CHECK(variant["trust"]["checks"].size() == (is_map ? 4 : 5));
+        CHECK(variant["trust"]["checks"].size() == (is_map ? 3 : 4));
         CHECK(variant["trust"]["tenth_percentile"] <= variant["trust"]["median"]);
         CHECK(rough::genes(rough::read_genome(folder / "r" / "genome.json")) == rough::genes(genome));
         if (setup.max_pressure && !is_map) // the amplitude is in final form: full approach is at p_max

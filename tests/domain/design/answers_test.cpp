@@ -78,7 +78,8 @@ TEST_CASE("alternatives differ, are as many as requested, and are verified on fi
 }
 
 TEST_CASE("the default search of an area meets the drawn target on a grid four times finer", "[areas]") {
-    const DesignSetup setup = drawn(24, true);
+    DesignSetup setup = drawn(24, true);
+    setup.required_similarity = 0.85;
     SearchOptions options{.alternatives = 1};
     const SearchResult found = search(setup, options);
     CHECK(found.best.worst > 0.85); // K differs by several per cent between the two grids
@@ -89,10 +90,8 @@ TEST_CASE("the default search of an area meets the drawn target on a grid four t
     CHECK(timed.best.lowest() == found.best.lowest());
     CHECK(timed.notes == found.notes);
     const Trust verified = trust_in(setup, found.best.genome, {.phase_draws = 2}, &found.best);
-    CHECK(verified.checks.size() == 4); // without the datum
-    CHECK(verified.checks[2].similarity == found.best.refined);
-    CHECK(verified.checks[1].similarity ==
-          Approx(similarity(setup, respond(setup, found.best.genome, refined(setup.model, 2)))));
+    CHECK(verified.checks.size() == 3); // without the datum
+    CHECK(verified.checks[1].similarity == found.best.refined);
     CHECK(verified.kernels.size() == 1); // without the strip
 }
 
