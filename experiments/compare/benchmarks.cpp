@@ -116,8 +116,6 @@ std::vector<Benchmark> fixed_benchmarks() {
         all.push_back(benchmark("grid" + std::to_string(side * side), "instances", "tours", relative,
                                 [=](int) { return grid_instance(side); }));
     all.push_back(benchmark("ft10", "instances", "tours", relative, [](int) { return job_shop_instance(); }));
-    all.push_back(benchmark("tsp-circle30", "tsp", "tours", precisions(1e1, 1e-4),
-                            [=](int number) { return circle_instance(30, seed(number)); }));
     return all;
 }
 

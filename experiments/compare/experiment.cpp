@@ -9,7 +9,7 @@ using nlohmann::json;
 
 constexpr const char* usual_problems = "bbob5, bbob20, zdt, dtlz, knapsack, tsp";
 constexpr const char* quick_problems =
-    "bbob5-1, bbob5-3, bbob5-8, bbob5-10, bbob5-15, bbob5-21, zdt1, knapsack50, tsp14, tsp-circle30";
+    "bbob5-1, bbob5-3, bbob5-8, bbob5-10, bbob5-15, bbob5-21, zdt1, knapsack50, tsp14";
 
 std::vector<Setting> compare_settings() {
     std::vector<Setting> settings{

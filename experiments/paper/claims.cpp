@@ -60,35 +60,6 @@ Finding in_part(Target target, double Scores::*part) {
     return {scores.*part, {{"over all pressures", scores.all}}};
 }
 
-/// Warnock's formula for the L2 star discrepancy of points of the unit square: 0 would be perfectly even.
-double discrepancy(const std::vector<std::pair<double, double>>& points) {
-    const double n = static_cast<double>(points.size());
-    double single = 0, pairs = 0;
-    for (const auto& [x, y] : points) {
-        single += (1 - x * x) * (1 - y * y);
-        for (const auto& [u, v] : points) pairs += (1 - std::max(x, u)) * (1 - std::max(y, v));
-    }
-    return std::sqrt(1.0 / 9 - single / (2 * n) + pairs / (n * n));
-}
-
-Finding evenness(Run run, All) {
-    const rough::DatabaseLayout& layout = run.layout;
-    auto pairs = rough::sobol_pairs(layout);
-    for (auto& [H, gamma] : pairs) {
-        H = (H - layout.H_from) / (layout.H_to - layout.H_from);
-        gamma = (gamma - layout.gamma_from) / (layout.gamma_to - layout.gamma_from);
-    }
-    const double sobol = discrepancy(pairs);
-    ga::Stream random(ga::fold(run.origin.seed, "pairs"));
-    constexpr int draws = 1000;
-    int above = 0;
-    for (int draw = 0; draw < draws; ++draw) {
-        for (auto& [H, gamma] : pairs) H = random.uniform(), gamma = random.uniform();
-        above += discrepancy(pairs) > sobol;
-    }
-    return {std::isnan(sobol) ? unknown : static_cast<double>(above) / draws, {{"discrepancy", sobol}}};
-}
-
 Finding among_curves(Run run, Target target) {
     const rough::Index points = run.database.empty() ? 0 : target.target.points();
     int inside = 0;
@@ -274,7 +245,6 @@ const std::map<std::string, Measure>& measures() {
         {"alloy-area", [](Run, All all) { return over_alloys(all, &FractalStudy::area_gap); }},
         {"low-part", [](Run, Target target) { return in_part(target, &Scores::low); }},
         {"high-part", [](Run, Target target) { return in_part(target, &Scores::high); }},
-        {"even-pairs", evenness},
         {"trend", among_curves},
         {"max-pressure",
          [](Run run, All) {

@@ -212,22 +212,3 @@ TEST_CASE("a part of the target is met better than the whole by a genome that is
     target.database.resize(1);
     CHECK(verdict("low-part", target) == open);
 }
-
-TEST_CASE("the Sobol pairs' discrepancy is the integral that defines it") {
-    const PaperRun run = run_with({});
-    const auto pairs = sobol_pairs(run.layout);
-    const auto n = static_cast<double>(pairs.size());
-    constexpr int cells = 400;
-    double integral = 0;
-    for (int i = 0; i < cells; ++i)
-        for (int j = 0; j < cells; ++j) {
-            const double x = (i + 0.5) / cells, y = (j + 0.5) / cells;
-            int inside = 0;
-            for (const auto& [H, gamma] : pairs)
-                inside += H < run.layout.H_from + x * (run.layout.H_to - run.layout.H_from) &&
-                          gamma < run.layout.gamma_from + y * (run.layout.gamma_to - run.layout.gamma_from);
-            integral += std::pow(inside / n - x * y, 2) / (cells * cells);
-        }
-    const Finding found = findings_of(claim_of("even-pairs"), run, {})[0];
-    CHECK(found.parts[0].second == Approx(std::sqrt(integral)).epsilon(0.02));
-}

@@ -1,7 +1,5 @@
 #include "experiments/compare/problems/problems.hpp"
 
-#include <numbers>
-
 namespace app {
 namespace {
 
@@ -61,16 +59,6 @@ std::vector<Town> scattered_towns(std::size_t count, std::uint64_t seed) {
     return towns;
 }
 
-std::vector<Town> towns_on_circle(std::size_t count, std::uint64_t seed) {
-    ga::Stream stream(seed);
-    std::vector<Town> towns;
-    for (const std::uint32_t place : ga::Permutation::random(count, stream)) {
-        const double angle = 2 * std::numbers::pi * place / static_cast<double>(count);
-        towns.push_back({std::cos(angle), std::sin(angle)});
-    }
-    return towns;
-}
-
 double tour_length(const std::vector<Town>& towns, const std::vector<std::uint32_t>& order) {
     double length = distance(towns[order.back()], towns[order.front()]);
     for (std::size_t i = 1; i < order.size(); ++i) length += distance(towns[order[i - 1]], towns[order[i]]);
@@ -98,11 +86,6 @@ double shortest_tour(const std::vector<Town>& towns) {
 TourInstance scattered_instance(std::size_t count, std::uint64_t seed) {
     const std::vector<Town> towns = scattered_towns(count, seed);
     return tour_instance(towns, shortest_tour(towns));
-}
-
-TourInstance circle_instance(std::size_t count, std::uint64_t seed) {
-    const double n = static_cast<double>(count);
-    return tour_instance(towns_on_circle(count, seed), 2 * n * std::sin(std::numbers::pi / n));
 }
 
 TourInstance berlin_instance() {

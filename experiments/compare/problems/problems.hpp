@@ -51,16 +51,13 @@ using Town = std::array<double, 2>;
 
 /// Towns drawn uniformly in the unit square.
 std::vector<Town> scattered_towns(std::size_t count, std::uint64_t seed);
-/// Towns evenly round a circle of radius 1, numbered at random: the shortest tour is the polygon.
-std::vector<Town> towns_on_circle(std::size_t count, std::uint64_t seed);
 /// Length of a closed tour.
 double tour_length(const std::vector<Town>& towns, const std::vector<std::uint32_t>& order);
 /// Length of the shortest tour, by dynamic programming over sets (Held and Karp 1962); up to 16 towns.
 double shortest_tour(const std::vector<Town>& towns);
 
-/// A tour of scattered towns (up to 16) or of those on a circle; the precision is relative.
+/// A tour of scattered towns (up to 16); the precision is relative.
 TourInstance scattered_instance(std::size_t count, std::uint64_t seed);
-TourInstance circle_instance(std::size_t count, std::uint64_t seed);
 
 /// berlin52 of TSPLIB (Reinelt 1991). Distances are rounded; the optimum is 7542.
 TourInstance berlin_instance();
