@@ -204,7 +204,6 @@ SurfaceReport described_map(const Settings& settings) {
         .pictures = {{"heights.svg", "map:height"}, {"spectrum.svg", "spectrum:mm⁴"}}};
     all.tables = {
         {"heights.txt", [=] { return matrix(*holed); }},
-        {"surface.vtk", [=] { return vtk(*holed); }},
         {"map.csv", [=] { return map_csv(*holed, {"height_mm"}, {holed->heights.array() - map->heights.maxCoeff()}); },
          false},
         {"spectrum.csv", [s = all.spectrum] {

@@ -15,10 +15,6 @@ std::string x3p(const Profile& surface);
 /// height. Throws InputError on over 2^31 - 1 heights, and on steps or spacings beyond single precision.
 std::string sur(const Profile& surface);
 
-/// A map as the bytes of a legacy VTK file (version 3.0, binary). It is a structured grid of points (x, y, z)
-/// in mm with the scalar `height_mm`. Viewers show it as a relief.
-std::string vtk(const Profile& map);
-
 /// How numbers were rounded when they were written: to a digit, or to significant digits.
 struct Rounding {
     double digit = 0; ///< one unit in the last written digit of the finest number

@@ -7,28 +7,28 @@ using nlohmann::json;
 
 TEST_CASE("a measured map is pressed, described and imitated on the cells of --nodes", "[map]") {
     const Folder folder;
-    folder.write("map.txt", table_text(48, 40, [](int i, int j) { return std::cos(0.3 * i + 0.2 * j) + 0.01 * i; }));
+    folder.write("map.txt", table_text(32, 28, [](int i, int j) { return std::cos(0.2 * i + 0.15 * j) + 0.01 * i; }));
     const std::string map = " map.txt --spacing 1 --unit um ";
     const auto pressed = [&](const std::string& nodes) {
         const Ended ended = done(folder, "contact --surface" + map + "--reach 0.3 --force --out c.csv " + nodes);
         CHECK((ended.out.find("resampled to") != std::string::npos) == !nodes.empty());
-        CHECK_THAT(ended.out, Catch::Contains("0.048 x 0.04 mm"));
+        CHECK_THAT(ended.out, Catch::Contains("0.0320 x 0.0280 mm"));
         return rows_of(folder / "c.csv").back();
     };
     const auto as_measured = pressed("");
-    for (const char* nodes : {"--nodes 96x80", "--nodes 36x30"}) {
+    for (const char* nodes : {"--nodes 64x56", "--nodes 24x21"}) {
         INFO(nodes);
         CHECK(pressed(nodes)[1] == Approx(as_measured[1]).epsilon(0.02));
     }
-    done(folder, "profile --surface" + map + "--nodes 24x20 --out p");
+    done(folder, "profile --surface" + map + "--nodes 16x16 --out p");
     const json described = json_in(folder / "p/surface.json");
-    CHECK(described["nodes"] == json{24, 20});
-    CHECK(described["length_mm"][0].get<double>() == Approx(0.048));
+    CHECK(described["nodes"] == json{16, 16});
+    CHECK(described["length_mm"][0].get<double>() == Approx(0.032));
 
-    const std::string like = "design --pipeline 'own 1 | score' --pictures off --tolerance off --force --like" + map;
-    const json own = result_of(folder, like), coarse = result_of(folder, like + "--nodes 24x20");
-    CHECK(own["nodes"] == json{48, 40});
-    CHECK(coarse["nodes"] == json{24, 20});
+    const std::string like = "design --pipeline 'own 1 | score' --pictures off --force --like" + map;
+    const json own = result_of(folder, like), coarse = result_of(folder, like + "--nodes 16x16");
+    CHECK(own["nodes"] == json{32, 28});
+    CHECK(coarse["nodes"] == json{16, 16});
     CHECK(coarse["targets"] == own["targets"]); // of the points as measured
 }
 

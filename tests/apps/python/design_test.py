@@ -119,6 +119,10 @@ class Design(WithFolder):
         self.assertEqual([t.quantity for t in design.targets], ["stiffness", "area"])
         found = rugosa.design(like=rough_heights(), spacing=0.004, nodes=64, evaluations=30, threads=1)
         self.assertIn("own", found.pipeline)  # the search that the program uses for a scan with contact area
+        x = numpy.arange(24)
+        relief = rugosa.Surface(0.001 * numpy.cos(0.3 * x[:, None] + 0.2 * x), 0.004)
+        on_grid = rugosa.design(like=relief, nodes=(16, 20), pipeline="own 1 | score | best 1", quantity="stiffness")
+        self.assertEqual(on_grid.profile.heights.shape, (20, 16))
         both = rugosa.design(PRESSURE, STIFFNESS, target_contact_fraction=numpy.linspace(0.05, 0.5, len(PRESSURE)),
                              pipeline="shape 2 | score | best 1", nodes=64)
         self.assertEqual([t.quantity for t in both.targets], ["stiffness", "area"])

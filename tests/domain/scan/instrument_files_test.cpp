@@ -354,22 +354,3 @@ TEST_CASE("an incomplete map is refused with its place", "[map]") {
     CHECK_THAT(map_refusal("1 2 3 4\n", {.spacing = 1}), Catch::Contains("2 x 2"));
     CHECK_THAT(map_refusal(x3p(line)), Catch::Contains("2 x 2"));
 }
-
-TEST_CASE("a map's VTK file has every point, highest byte first", "[map]") {
-    const std::string bytes = vtk(relief);
-    CHECK_THAT(bytes, Catch::StartsWith("# vtk DataFile Version 3.0\n"));
-    CHECK_THAT(bytes, Catch::Contains("DIMENSIONS 6 4 1\nPOINTS 24 double\n"));
-    const std::string mark = "POINTS 24 double\n";
-    const std::size_t first = bytes.find(mark) + mark.size();
-    const auto number = [&](std::size_t k) {
-        const std::string word(bytes.rbegin() + long(bytes.size() - first - 8 * (k + 1)),
-                               bytes.rbegin() + long(bytes.size() - first - 8 * k));
-        return little_endian<double>(word, 0);
-    };
-    for (const std::size_t k : {0u, 5u, 13u, 23u}) {
-        CHECK(number(3 * k) == Approx(0.01 * double(k % 6)).margin(1e-18));
-        CHECK(number(3 * k + 1) == Approx(0.025 * double(k / 6)).margin(1e-18));
-        CHECK(number(3 * k + 2) == relief.heights[Index(k)]);
-    }
-    CHECK_THAT(bytes.substr(first + 24 * 24), Catch::StartsWith("\nPOINT_DATA 24\nSCALARS height_mm double 1\n"));
-}
