@@ -162,17 +162,15 @@ DesignSetup in_finer_steps(DesignSetup setup, int times) {
 double Verifier::width() const { return 1. / (setup_.model.loading.steps * by_.steps); }
 
 const DesignSetup& Verifier::finer() const {
-    std::call_once(is_finer_known_, [&] {
-        finer_ = setup_;
-        if (!setup_.measured) return;
-        DesignSetup as_given = setup_;
-        as_given.max_pressure.reset();
-        Model model = setup_.model;
-        const Response own = respond(*setup_.measured, model);
-        model.loading.shares = shares_at(as_given, model.loading, own, width());
-        finer_ = with_measured(setup_, merged(own, respond(*setup_.measured, model)));
-    });
-    return finer_;
+    const std::lock_guard lock(finer_guard_);
+    if (finer_) return *finer_;
+    if (!setup_.measured) return finer_.emplace(setup_);
+    DesignSetup as_given = setup_;
+    as_given.max_pressure.reset();
+    Model model = setup_.model;
+    const Response own = respond(*setup_.measured, model);
+    model.loading.shares = shares_at(as_given, model.loading, own, width());
+    return finer_.emplace(with_measured(setup_, merged(own, respond(*setup_.measured, model))));
 }
 
 Verifier::Responses Verifier::responses_on(const Model& model, const Genome& genome) const {

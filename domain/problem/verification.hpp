@@ -114,8 +114,8 @@ class Verifier {
     DesignSetup setup_;
     Refinement by_;
     int threads_;
-    mutable std::once_flag is_finer_known_;
-    mutable DesignSetup finer_;
+    mutable std::mutex finer_guard_; ///< not std::call_once, which an exception should not leave: a solution may stop
+    mutable std::optional<DesignSetup> finer_;
     mutable KeyedMemory<Verification> known_{32}; ///< under key_of()
 };
 
