@@ -319,6 +319,7 @@ Scan read_map(const std::filesystem::path& path, const ScanOptions& options) {
         surface = filled(std::move(surface), map.missing);
     }
     if (const Extent cells = options.nodes; cells.columns != 0 && cells != shape) {
+        if (cells.rows < 2) refuse("nodes: ", cells.rows, " along y is out of range (2 or more)");
         Profile missing{Eigen::VectorXd::Zero(surface.nodes()), surface.spacing, surface.rows, surface.row_spacing};
         missing.heights(map.missing.nodes).setOnes();
         missing.heights = resampled(missing, cells).heights;

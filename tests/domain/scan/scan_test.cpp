@@ -295,6 +295,8 @@ TEST_CASE("a map is resampled to other cells of the same area", "[map]") {
     CHECK(many / more == Approx(4).epsilon(0.1));
 
     ScanOptions holed{.spacing = 1, .fill = true, .max_filled = 0.5};
+    holed.nodes = {8};
+    CHECK_THROWS_WITH(read_map(folder.path() / "map.txt", holed), Catch::Contains("1 along y is out of range"));
     holed.nodes = {8, 4};
     CHECK(read_map(folder.write("holes.txt", "1 2 3 4\n5 nan 7 2\n3 1 2 1\n2 4 1 3\n"), holed).missing.nodes ==
           std::vector<Index>{8, 9, 10, 11, 12}); // height 5 continues to the edge
