@@ -27,17 +27,6 @@ int draws_for(const Grid& grid) {
     return static_cast<int>(std::clamp<double>(std::round(full / nodes), min_draws, max_draws));
 }
 
-using KeptBySize = std::map<double, double>; ///< the similarity under some sizes of an error, by size
-
-/// The size at which the straight line between the last size before the first below the level and that size has the
-/// level; infinite if none is below.
-double crossing(const KeptBySize& all, double level) {
-    const auto lost = std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.second < level; });
-    if (lost == all.begin() || lost == all.end()) return lost == all.end() ? HUGE_VAL : 0;
-    const auto& [from, above] = *std::prev(lost);
-    return from + (lost->first - from) * (above - level) / (above - lost->second);
-}
-
 /// Similarities of one design under errors. They throw ga::Stopped when the time is over.
 class ErrorTrials {
   public:
@@ -52,10 +41,7 @@ class ErrorTrials {
     double range() const { return range_; }
     int threads() const { return threads_; }
     double seconds_left() const { return options_.seconds - watch_.seconds(); }
-    double similarity() { ///< without errors
-        if (std::isnan(similarity_)) similarity_ = made_.similarity(Eigen::VectorXd::Zero(made_.surface().nodes()));
-        return similarity_;
-    }
+    double similarity() const { return made_.similarity(Eigen::VectorXd::Zero(made_.surface().nodes())); }
 
     /// Similarities of the first draws of noise with this rms (mm), in rising order.
     std::vector<double> with_noise(double rms, int draws) {
@@ -85,16 +71,6 @@ class ErrorTrials {
         return lost <= may_lose(draws);
     }
 
-    /// The noise (mm) under which more of the first draws than may_lose() fall below a level, by crossing().
-    double predicted_noise(double level, int draws) const {
-        std::vector<double> sizes;
-        for (const Draw& draw : std::span(draws_).first(static_cast<std::size_t>(draws)))
-            sizes.push_back(crossing(draw.similarity, level));
-        const auto last = sizes.begin() + static_cast<std::ptrdiff_t>(may_lose(draws));
-        std::nth_element(sizes.begin(), last, sizes.end());
-        return *last;
-    }
-
     /// For each size of an error, the lowest similarity under these shapes (heights, mm) in either direction.
     std::vector<double> lowest(const std::vector<Eigen::VectorXd>& shapes, const std::vector<double>& sizes) const {
         const std::size_t cases = 2 * shapes.size();
@@ -111,7 +87,7 @@ class ErrorTrials {
     /// One draw of noise with rms 1, and its similarity for each rms (mm) that was tried.
     struct Draw {
         Eigen::VectorXd heights = {};
-        KeptBySize similarity = {};
+        std::map<double, double> similarity = {};
     };
 
     DesignSetup stopping(DesignSetup setup) const {
@@ -121,11 +97,9 @@ class ErrorTrials {
         return setup;
     }
     double similarity_under(Draw& draw, std::uint64_t number, double rms) const {
-        if (draw.heights.size() == 0) {
-            draw.similarity[0] = similarity_;
+        if (draw.heights.size() == 0)
             draw.heights = height_noise(setup_.model.grid, setup_.errors.noise_length,
                                         ga::fold(ga::fold(options_.seed, "height noise"), number));
-        }
         return draw.similarity[rms] = made_.similarity(rms * draw.heights);
     }
     template <class Job>
@@ -142,9 +116,10 @@ class ErrorTrials {
     DesignSetup setup_;
     SurfaceWithErrors made_;
     double range_; ///< height range, mm
-    double similarity_ = std::numeric_limits<double>::quiet_NaN();
     std::vector<Draw> draws_;
 };
+
+using KeptBySize = std::map<double, double>; ///< the similarity under some sizes of an error, by size
 
 /// Sizes up to `cap`, each `ratio` times the one before, from one that keeps `high` to one below `low`.
 template <class KeptAt>
@@ -168,57 +143,49 @@ std::pair<double, double> bracket(const KeptBySize& all, double level) {
     return {kept, lost == all.end() ? kept : lost->first};
 }
 
-/// Narrows the interval of sizes from one that keeps a level to one that does not, to this ratio, or to 0 and `least`.
-/// Its ends move about the size that `guess` gives; if that does not halve the interval, the next step does.
-template <class Guess, class Keeps>
-void narrow(double& from, double& to, double ratio, double least, Guess guess, Keeps keeps) {
-    const double side = std::sqrt(ratio) - 1e-4;
-    for (bool halve = false; to > ratio * from && to > least;) {
-        const double width = to - from, at = guess();
-        const bool is_inside = !halve && at / side > from && at * side < to;
-        const double low = is_inside ? at / side : from + width / 2;
-        (keeps(low) ? from : to) = low;
-        if (is_inside && from == low) (keeps(at * side) ? from : to) = at * side;
-        halve = !halve && to - from > width / 2;
-    }
-}
-
 /// Sets the largest tilts or scales up to which all keep a level. Octaves are divided into `parts`; then the
-/// interval before the first size below the level is narrowed.
-void find_errors(ErrorTrials& trials, const std::vector<Eigen::VectorXd>& shapes, double cap, int parts,
+/// interval before the first size below the level is divided further.
+void find_errors(const ErrorTrials& trials, const std::vector<Eigen::VectorXd>& shapes, double cap, int parts,
                  std::span<ToleranceLevel> levels, double ToleranceLevel::*error) {
-    const auto kept = [&](double size) { return trials.lowest(shapes, {size}).front(); };
-    KeptBySize all = ladder(cap, 2, levels.front().similarity, levels.back().similarity, kept);
-    std::vector<double> between;
+    KeptBySize all = ladder(cap, 2, levels.front().similarity, levels.back().similarity,
+                            [&](double size) { return trials.lowest(shapes, {size}).front(); });
+    using Gaps = std::vector<std::pair<double, double>>;
+    const auto probe_inside = [&](const Gaps& gaps, int into) {
+        std::vector<double> sizes;
+        for (const auto& [from, to] : gaps)
+            for (int i = 1; i < into; ++i) sizes.push_back(from + (to - from) * i / into);
+        const std::vector<double> similarities = trials.lowest(shapes, sizes);
+        for (std::size_t i = 0; i < sizes.size(); ++i) all[sizes[i]] = similarities[i];
+    };
+    Gaps octaves;
     double last = 0;
-    for (const auto& [size, similarity] : all)
-        for (double from = std::exchange(last, size), i = 1; i < parts; ++i)
-            between.push_back(from + (size - from) * i / parts);
-    const std::vector<double> similarities = trials.lowest(shapes, between);
-    for (std::size_t i = 0; i < between.size(); ++i) all[between[i]] = similarities[i];
-    all[0] = trials.similarity();
+    for (const auto& [size, similarity] : all) octaves.emplace_back(std::exchange(last, size), size);
+    probe_inside(octaves, parts);
     for (ToleranceLevel& level : levels) {
         auto [from, to] = bracket(all, level.similarity);
-        narrow(
-            from, to, precision, smallest * cap, [&] { return crossing(all, level.similarity); },
-            [&](double size) { return (all[size] = kept(size)) >= level.similarity; });
+        while (to > precision * from && to > smallest * cap) {
+            probe_inside({{from, to}}, 4);
+            std::tie(from, to) = bracket(all, level.similarity);
+        }
         level.*error = from;
     }
 }
 
-/// The largest noise under which the draws keep the level. It begins with few draws and repeats with more, each time
-/// around the noise found before.
+/// The largest noise under which the draws keep the level, by bisection. It begins with few draws and repeats
+/// with more, each time around the noise found before.
 double largest_noise(ErrorTrials& trials, const KeptBySize& rough_steps, double level, int few, int draws) {
     auto [from, to] = bracket(rough_steps, level);
     if (from == 0 || from == to) return from;
     for (int n = few;; n = std::min(3 * n, draws)) {
-        const auto keeps = [&](double rms) { return trials.keep(level, rms, n); };
-        const double margin = 1 + 1.5 / std::sqrt(n);
+        const double ratio = n < draws ? 1.1 : precision, margin = 1 + 1.5 / std::sqrt(n);
         if (n > few) to *= margin;
-        while (to < trials.range() && keeps(to)) from = std::exchange(to, margin * to);
-        while (from > smallest * trials.range() && !keeps(from)) to = std::exchange(from, from / margin);
-        const auto predicted = [&] { return trials.predicted_noise(level, n); };
-        narrow(from, to, n < draws ? 1.1 : precision, 0, predicted, keeps);
+        while (to < trials.range() && trials.keep(level, to, n)) from = std::exchange(to, margin * to);
+        while (from > smallest * trials.range() && !trials.keep(level, from, n))
+            to = std::exchange(from, from / margin);
+        while (to > ratio * from) {
+            const double middle = (from + to) / 2;
+            (trials.keep(level, middle, n) ? from : to) = middle;
+        }
         if (n == draws) return from;
     }
 }
