@@ -29,9 +29,9 @@ struct Answer : Verification {
 /// may then be NaN. Throws what respond() throws.
 Answer verified_answer(const DesignSetup& reported, const Genome& genome);
 /// The set-up in which errors of making are tried. The targets are corrected so that the answer has the misfits of its
-/// verdict (Verification::largest) there. The cells of a map are joined by 2 x 2 as long as this changes no misfit of
-/// the answer by more than 0.01 before the correction, its shortest wave has four cells, and the correlation length of
-/// the noise has one. The set-up itself if the answer is not verified.
+/// verdict (Verification::largest) there. The cells of a map are joined by 2 x 2 as often as three conditions hold. All
+/// misfits of the answer change by at most 0.01 before the correction. Its shortest wave has four cells. The
+/// correlation length of the noise has one. The result is the set-up itself if the answer is not verified.
 DesignSetup as_verified(const DesignSetup& setup, const Answer& answer);
 /// The answer's response under the set-up; if the verification is incomplete, the stored one.
 DesignResponse response_of(const DesignSetup& setup, const Answer& answer);

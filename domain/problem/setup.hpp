@@ -68,8 +68,8 @@ DesignSetup as_reported(DesignSetup setup);
 /// 5 % from the profile's response on either side, because the design must also be near the measured curve.
 ///
 /// The grid gets `nodes` (one row for a line). For a line the default is 512 nodes. For contact area it is the
-/// profile's number of nodes (512 to 4096), or more if fewer than 32 nodes would touch at the first point. For a map it
-/// is the map's nodes.
+/// profile's number of nodes (512 to 4096). It is more if fewer than 32 nodes would touch at the first point. For a map
+/// it is the map's nodes.
 DesignSetup design_like(const Profile& profile, Model model, const std::string& name,
                         const std::vector<Quantity>& quantities = {Quantity::stiffness, Quantity::area_at_pressure},
                         Index points = 20, std::optional<Extent> nodes = {}, Resolution resolution = Resolution::off,

@@ -23,9 +23,9 @@ struct ScanOptions {
     /// Whether missing points are listed, not refused. Their heights are those of `fill`, with any share.
     bool keep_missing = false;
     Index row = 0; ///< row of an areal map to take, from 1; 0: the file has a profile
-    /// Numbers of evenly spaced nodes, >= 2, to which a line (one row) or a map is resampled; 0: as many as the
-    /// file has points. Heights are linear between points. A map keeps its area, and its heights continue
-    /// straight to its edges; along a side with fewer cells than points, a height is the mean over its cell.
+    /// Numbers of evenly spaced nodes, >= 2, after resampling; one row for a line. 0: as many as the file has
+    /// points. Heights are linear between points. A map keeps its area, and its heights continue straight to its
+    /// edges. Along a side with fewer cells than points, a height is the mean over its cell.
     Extent nodes = {};
     bool remove_outliers = false; ///< whether outliers are replaced as missing points are filled
     /// Cut-off wavelength of a Gaussian filter, mm; 0: no filter. It is applied after the form is removed,
