@@ -88,7 +88,9 @@ DesignSetup with_measured(DesignSetup setup, const Response& response) {
         for (Index k = 0; k < target.points(); ++k) {
             const double y = curve.at(std::min(target.x[k], curve.to)), moved = y / target.y[k];
             target.y[k] = y;
-            if (target.has_band()) target.lower[k] *= moved, target.upper[k] *= moved;
+            if (!target.has_band()) continue;
+            target.lower[k] = std::min(target.lower[k] * moved, y); // rounding may move an end across the value
+            target.upper[k] = std::max(target.upper[k] * moved, y);
         }
     }
     return setup;
