@@ -10,9 +10,6 @@
 namespace rough {
 namespace {
 
-constexpr Index min_coarse_nodes = 32;      ///< along either side of a coarser grid
-constexpr double min_coarse_spacings = 1.9; ///< node spacings of a coarser grid per shortest wavelength
-
 /// The genome without its shortest wave; none if it has only one.
 std::optional<Genome> without_shortest(const Genome& genome) {
     const auto scales = length_scales(genome);
@@ -73,20 +70,6 @@ DesignPipeline under(const std::string& name, int n, const DesignPipeline& body,
             const DesignProblem& problem = context.problem();
             return run_derived(stages, problem.with(change(problem.setup(), n)), std::move(designs), context);
         });
-}
-
-/// The set-up whose nodes along each side are halved this often, unless the grid becomes too coarse.
-DesignSetup on_coarser_grid(DesignSetup setup, int halvings) {
-    for (int i = 0; i < halvings; ++i) {
-        Grid grid = setup.model.grid;
-        grid.nodes /= 2;
-        if (grid.is_2d()) grid.rows /= 2;
-        if (std::min(grid.nodes, grid.is_2d() ? grid.rows : grid.nodes) < min_coarse_nodes ||
-            setup.limits.shortest_wave < min_coarse_spacings * grid.widest_spacing())
-            break;
-        setup.model.grid = grid;
-    }
-    return setup;
 }
 
 DesignPipeline coarser(const ga::Arguments& arguments, const DesignPipeline& body) {

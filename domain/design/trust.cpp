@@ -135,7 +135,8 @@ std::vector<Job> jobs_for(const DesignSetup& setup, const Genome& genome, const 
                                     const double turn = random.uniform(0, 2 * std::numbers::pi);
                                     for (double& phase : chromosome.phases) phase += turn;
                                 }
-                            return similarity(setup, with_fitting_amplitude(setup, moved));
+                            const DesignSetup coarse = setup.model.grid.is_2d() ? on_coarser_grid(setup, 1) : setup;
+                            return similarity(coarse, with_fitting_amplitude(coarse, moved));
                         }});
     return jobs;
 }

@@ -30,9 +30,9 @@ struct Trust {
     double under = unknown;     ///< lowest similarity of the checks that decide; NaN if one has no response
     bool all_decided = true;    ///< whether all checks that decide were made
     std::vector<Check> kernels; ///< similarities of the profile on other bodies, only for comparison
-    /// Similarities of genomes with the answer's spectrum, redrawn phases and a fitted amplitude. If the
-    /// highest is near the similarity of the answer, the response follows from the spectrum. Otherwise the
-    /// response follows from the phases.
+    /// Similarities of genomes with the answer's spectrum, redrawn phases and a fitted amplitude; of a map on half of
+    /// its nodes along each side. If the highest is near the similarity of the answer, the response follows from the
+    /// spectrum. Otherwise the response follows from the phases.
     std::vector<double> redrawn;
     double rms_slope = 0;              ///< root mean square slope of the profile, dimensionless
     double peak_pressure = 0;          ///< highest node pressure at the last load step, MPa

@@ -10,7 +10,9 @@ constexpr Index max_exactly_reported = 16385; ///< nodes of the finer grid
 /// Nodes up to which a factor takes a third of the time of the iterative solver at reported_tolerance.
 constexpr Index max_factored = 2049;
 constexpr double reported_tolerance = 1e-10;
-constexpr double rounded_up = 1 + 1e-9; ///< a target's last pressure may be rounded
+constexpr Index min_coarse_nodes = 32;      ///< along either side of a coarser grid
+constexpr double min_coarse_spacings = 1.9; ///< node spacings of a coarser grid per shortest wavelength
+constexpr double rounded_up = 1 + 1e-9;     ///< a target's last pressure may be rounded
 
 /// Minimum number of nodes in contact at a target's first point, because contact fractions are counts.
 constexpr double first_nodes = 32;
@@ -72,6 +74,19 @@ std::vector<Index> points_of_half(const DesignSetup& setup, bool high) {
     for (Index k = 0; k < target.points(); ++k)
         if (high ? target.x[k] >= threshold : target.x[k] <= threshold) points.push_back(k);
     return points;
+}
+
+DesignSetup on_coarser_grid(DesignSetup setup, int halvings) {
+    for (int i = 0; i < halvings; ++i) {
+        Grid grid = setup.model.grid;
+        grid.nodes /= 2;
+        if (grid.is_2d()) grid.rows /= 2;
+        if (std::min(grid.nodes, grid.is_2d() ? grid.rows : grid.nodes) < min_coarse_nodes ||
+            setup.limits.shortest_wave < min_coarse_spacings * grid.widest_spacing())
+            break;
+        setup.model.grid = grid;
+    }
+    return setup;
 }
 
 DesignSetup as_reported(DesignSetup setup) {

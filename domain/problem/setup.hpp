@@ -58,6 +58,9 @@ void validate(const DesignSetup& setup);
 /// The indices of the first target's points up to the threshold (MPa or mm), or if `high` from it on.
 std::vector<Index> points_of_half(const DesignSetup& setup, bool high);
 
+/// The set-up whose nodes along each side are halved this often, unless the grid becomes too coarse.
+DesignSetup on_coarser_grid(DesignSetup setup, int halvings);
+
 /// The set-up with which answers are reported. If the finer grid of a line has up to 16385 nodes, the
 /// tolerance is lowered so that similarities have nine digits with every solver.
 DesignSetup as_reported(DesignSetup setup);

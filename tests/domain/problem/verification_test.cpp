@@ -30,6 +30,14 @@ TEST_CASE("a verification agrees with four separate solutions") {
     }
 }
 
+TEST_CASE("a verifier solves a genome once") {
+    const Genome genome = testing::two_waves();
+    const Verifier verifier(testing::like_itself(genome));
+    const double seconds = verifier.of(genome).seconds;
+    CHECK(verifier.of(genome).seconds == seconds);
+    CHECK(verifier.of(testing::two_waves(0.4)).seconds != seconds);
+}
+
 TEST_CASE("a measured profile has similarity 1 to its response in any load steps") {
     DesignSetup setup = nested_setup();
     setup.measured = sample(three_waves(), setup.model.grid);
