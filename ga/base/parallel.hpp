@@ -32,8 +32,9 @@ inline void expect_threads(int threads) {
     given = threads;
 }
 
-/// Runs job(i) for i = 0 .. n-1 on up to `threads` threads, in any order. A free thread takes the next `chunk` jobs. An
-/// exception does not stop the other jobs. The exception of the smallest i is thrown again at the end.
+/// Runs job(i) for i = 0 .. n-1 on up to `threads` threads, in any order. A free thread takes the next `chunk` jobs. In
+/// a job of another loop, the free threads of that loop take part. An exception does not stop the other jobs. The
+/// exception of the smallest i is thrown again at the end.
 template <class Job>
 void parallel_for(std::size_t n, int threads, Job job, std::size_t chunk = 1) {
     std::exception_ptr error;
@@ -50,6 +51,9 @@ void parallel_for(std::size_t n, int threads, Job job, std::size_t chunk = 1) {
         }
     };
     if (threads <= 1 || n <= 1) {
+        for (std::size_t i = 0; i < n; ++i) guarded(i);
+    } else if (omp_in_parallel()) {
+#pragma omp taskloop grainsize(chunk)
         for (std::size_t i = 0; i < n; ++i) guarded(i);
     } else {
         expect_threads(threads);

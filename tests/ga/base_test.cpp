@@ -48,6 +48,23 @@ TEST_CASE("the distributions equal those of Boost.Random bit by bit") {
     CHECK(all);
 }
 
+TEST_CASE("a thread without a job takes part in the loop that another job runs") {
+    std::atomic<int> waiting = 0;
+    std::atomic<bool> met = false;
+    parallel_for(2, 2, [&](std::size_t outer) {
+        if (outer == 0) return;
+        parallel_for(2, 2, [&](std::size_t) {
+            ++waiting;
+            for (int i = 0; i < 10000 && waiting < 2; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            if (waiting == 2)
+                met = true;
+            else
+                waiting = 0;
+        });
+    });
+    CHECK(met);
+}
+
 TEST_CASE("parallel work finishes, then throws its first exception in order") {
     for (const int threads : {1, 4}) {
         std::atomic<int> done = 0;
@@ -61,6 +78,13 @@ TEST_CASE("parallel work finishes, then throws its first exception in order") {
                           "3");
         CHECK(done == 20);
     }
+    CHECK_THROWS_WITH(parallel_for(2, 2,
+                                   [](std::size_t i) {
+                                       parallel_for(6, 2, [i](std::size_t j) {
+                                           if (j > 3) throw std::runtime_error(std::to_string(10 * i + j));
+                                       });
+                                   }),
+                      "4");
     CHECK_THROWS_WITH(thread_count(100000), Catch::Contains("out of range (0 to 1024)"));
     const int usual = omp_get_max_threads();
     omp_set_num_threads(7);
